@@ -8,17 +8,36 @@
 //!
 //! A [`RawMesh`] is what a file said; a [`TetMesh`] has passed [`check()`] and
 //! is immutable; [`Topology`] (edges, faces and incidences) is derived from it
-//! by sorting. [`reference_tet`] owns every table about a single tet.
+//! by sorting. [`reference_tet`] owns every table about a single tet,
+//! [`Scheme`] every weight, [`strata`] decides which rule holds where.
 
+mod assemble_matrix;
 mod buckets;
+pub mod check;
 mod chunks;
+pub mod features;
+pub mod finding;
+pub mod hierarchy;
+pub mod marking;
 pub mod raw_mesh;
 mod red_split;
 pub mod reference_tet;
+pub mod scheme;
 pub mod shapes;
+pub mod strata;
+pub mod subdivide;
+pub mod subdivision_matrix;
 pub mod tet_mesh;
 pub mod topology;
 
+pub use check::{CheckError, CheckOptions, Checked, check, findings};
+pub use features::{FeatureOptions, prepare};
+pub use finding::{Finding, FindingKind};
+pub use hierarchy::Hierarchy;
 pub use raw_mesh::{Features, Group, RawMesh, Tagged};
+pub use scheme::Scheme;
+pub use strata::Strata;
+pub use subdivide::{Refinement, SubdivideError, subdivide};
+pub use subdivision_matrix::{SubdivisionMatrix, linear_matrix};
 pub use tet_mesh::TetMesh;
 pub use topology::Topology;

@@ -1,0 +1,121 @@
+//! What a check can find in a mesh.
+
+use std::fmt;
+
+/// One kind of problem, how often it occurs and where first.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Finding {
+    /// What is wrong.
+    pub kind: FindingKind,
+    /// How many times; for [`FindingKind::DisconnectedParts`] the number of parts.
+    pub count: usize,
+    /// The first few places, as numbers (from 0) of what the kind names.
+    pub examples: Vec<u32>,
+}
+
+/// The kinds of problems, the worst first.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+#[non_exhaustive]
+pub enum FindingKind {
+    /// There is no tet.
+    NoTets,
+    /// A coordinate is infinite or not a number; examples are vertices.
+    NonFiniteCoordinates,
+    /// A tet or tagged simplex names a vertex that does not exist; examples are
+    /// the numbers it names.
+    IndexOutOfRange,
+    /// A tet has no volume, or names a vertex twice; examples are tets.
+    ZeroVolumeTets,
+    /// A tet has negative volume; examples are tets.
+    InvertedTets,
+    /// A tet has the same vertices as an earlier one; examples are tets.
+    DuplicateTets,
+    /// A face belongs to more than two tets; examples are tets on such faces.
+    OversharedFaces,
+    /// The mesh records a crease that is not one of its edges; examples are
+    /// vertices.
+    StrayCreases,
+    /// A vertex lies exactly where an earlier one does; examples are vertices.
+    DuplicateVertices,
+    /// No simplex uses a vertex; examples are vertices.
+    UnusedVertices,
+    /// The tets form more than one part; examples are the first tets of parts.
+    DisconnectedParts,
+}
+
+impl FindingKind {
+    /// Whether refining and solving refuse such a mesh. The others are remarks.
+    pub fn stops(self) -> bool {
+        self < Self::DuplicateVertices
+    }
+
+    /// The name for reports, in kebab case.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::NoTets => "no-tets",
+            Self::NonFiniteCoordinates => "non-finite-coordinates",
+            Self::IndexOutOfRange => "index-out-of-range",
+            Self::ZeroVolumeTets => "zero-volume-tets",
+            Self::InvertedTets => "inverted-tets",
+            Self::DuplicateTets => "duplicate-tets",
+            Self::OversharedFaces => "overshared-faces",
+            Self::StrayCreases => "stray-creases",
+            Self::DuplicateVertices => "duplicate-vertices",
+            Self::UnusedVertices => "unused-vertices",
+            Self::DisconnectedParts => "disconnected-parts",
+        }
+    }
+
+    /// What was found, the noun of the examples, and what to do about it.
+    fn words(self) -> (&'static str, &'static str, &'static str) {
+        match self {
+            Self::NoTets => ("no tets", "", "octruss works on tetrahedral meshes; mesh the volume"),
+            Self::NonFiniteCoordinates => (
+                "vertices with a coordinate that is not a finite number",
+                "vertex",
+                "repair the file",
+            ),
+            Self::IndexOutOfRange => {
+                ("references to vertices that do not exist", "vertex", "repair the file")
+            }
+            Self::ZeroVolumeTets => ("tets without volume", "tet", "remove them in the mesher"),
+            Self::InvertedTets => ("inverted tets", "tet", "give --reorient to turn them round"),
+            Self::DuplicateTets => ("tets that repeat an earlier one", "tet", "remove the copies"),
+            Self::OversharedFaces => (
+                "faces shared by more than two tets",
+                "tet",
+                "tets overlap there; mesh the volume again",
+            ),
+            Self::StrayCreases => {
+                ("recorded creases that are not edges", "vertex", "repair the file")
+            }
+            Self::DuplicateVertices => (
+                "vertices on top of an earlier one",
+                "vertex",
+                "merge them unless a crack is meant",
+            ),
+            Self::UnusedVertices => {
+                ("vertices that no simplex uses", "vertex", "they are left out")
+            }
+            Self::DisconnectedParts => {
+                ("parts that do not touch", "tet", "each part needs fixed values of its own")
+            }
+        }
+    }
+}
+
+impl fmt::Display for Finding {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let (what, noun, advice) = self.kind.words();
+        if self.kind == FindingKind::NoTets {
+            return write!(f, "{what}: {advice}");
+        }
+        write!(f, "{} {what} (", self.count)?;
+        for (i, number) in self.examples.iter().enumerate() {
+            let separator = if i == 0 { "" } else { ", " };
+            write!(f, "{separator}{noun} {number}")?;
+        }
+        let more = if self.count > self.examples.len() { ", …" } else { "" };
+        write!(f, "{more}): {advice}")
+    }
+}

@@ -1,0 +1,172 @@
+//! One subdivision step: coarse mesh in, fine mesh and its matrix out.
+
+use rayon::prelude::*;
+
+use crate::assemble_matrix::subdivision_matrix;
+use crate::chunks::CHUNK;
+use crate::raw_mesh::{Features, RawMesh, Tagged};
+use crate::red_split::red_split;
+use crate::reference_tet::six_volumes;
+use crate::scheme::Scheme;
+use crate::strata::Strata;
+use crate::subdivision_matrix::{SubdivisionMatrix, linear_matrix};
+use crate::tet_mesh::TetMesh;
+use crate::topology::{Topology, VertexEdges, ascending};
+
+/// How a fine mesh came from a coarse one by the red split.
+///
+/// Fine vertices are the coarse ones, in order, then one per edge, in edge
+/// order; the children of tet t are 8 t to 8 t + 7.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Refinement {
+    /// The scheme's matrix, n_fine × n_coarse: fine positions are matrix ×
+    /// coarse positions.
+    pub matrix: SubdivisionMatrix,
+}
+
+impl Refinement {
+    /// The coarse tet that a fine tet is a part of.
+    pub fn parent(&self, child: usize) -> usize {
+        child / 8
+    }
+}
+
+/// Why a step was refused; the coarse mesh is untouched.
+#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+#[non_exhaustive]
+pub enum SubdivideError {
+    /// Moving the vertices would turn tets inside out.
+    #[error(
+        "level {level} would invert {count} of {total} tets (the first: {}); \
+         use fewer levels, keep more edges sharp, or improve the worst tets of the input",
+        list(examples)
+    )]
+    Inverted {
+        /// The level that was being made; the input is level 0.
+        level: usize,
+        /// How many tets would have a volume that is not positive.
+        count: usize,
+        /// How many tets the level would have.
+        total: usize,
+        /// The first of them, by number.
+        examples: Vec<u32>,
+    },
+    /// The numbers of the fine mesh do not fit 32 bits.
+    #[error(
+        "level {level} would have {tets} tets, more than the {MAX_TETS} that can be numbered; use fewer levels"
+    )]
+    TooLarge {
+        /// The level that was being made.
+        level: usize,
+        /// How many tets it would have.
+        tets: usize,
+    },
+}
+
+/// Edge slots of tets are numbered in 32 bits.
+const MAX_TETS: usize = u32::MAX as usize / 6;
+
+fn list(numbers: &[u32]) -> String {
+    numbers.iter().map(u32::to_string).collect::<Vec<_>>().join(", ")
+}
+
+/// Subdivides a prepared mesh once; `level` is that of the result, for messages.
+///
+/// Regions, tags, names and features are inherited by all children; the fine
+/// mesh's topology comes with it.
+///
+/// # Errors
+/// If a tet of the result would not have positive volume, or there would be
+/// too many tets.
+pub fn subdivide(
+    mesh: &TetMesh,
+    topology: &Topology,
+    scheme: Scheme,
+    level: usize,
+) -> Result<(TetMesh, Topology, Refinement), SubdivideError> {
+    let coarse = mesh.raw();
+    if 8 * coarse.tets.len() > MAX_TETS {
+        return Err(SubdivideError::TooLarge { level, tets: 8 * coarse.tets.len() });
+    }
+    let vertex_edges = VertexEdges::new(topology);
+    let no_features = Features::default();
+    let features = coarse.features.as_ref().unwrap_or(&no_features);
+    let matrix = match scheme {
+        Scheme::Linear => linear_matrix(topology),
+        Scheme::BoxSpline => {
+            let strata = Strata::new(coarse, topology, features);
+            subdivision_matrix(coarse, topology, &vertex_edges, &strata, scheme)
+        }
+    };
+    let points = matrix.apply(&coarse.points);
+    let split = red_split(&coarse.tets, topology, &vertex_edges);
+    refuse_inverted(&points, &split.tets, level)?;
+    let fine = RawMesh {
+        points,
+        regions: coarse.regions.iter().flat_map(|&region| [region; 8]).collect(),
+        tets: split.tets,
+        ..split_tags(coarse, topology)
+    };
+    Ok((TetMesh::trusted(fine), split.topology, Refinement { matrix }))
+}
+
+fn refuse_inverted(
+    points: &[[f64; 3]],
+    tets: &[[u32; 4]],
+    level: usize,
+) -> Result<(), SubdivideError> {
+    let inverted: Vec<u32> = tets
+        .par_iter()
+        .with_min_len(CHUNK)
+        .enumerate()
+        // Not "<= 0": a volume that is no number must be refused, too.
+        .filter(|(_, tet)| !(six_volumes(tet.map(|v| points[v as usize])) > 0.0))
+        .map(|(t, _)| t as u32)
+        .collect();
+    if inverted.is_empty() {
+        return Ok(());
+    }
+    Err(SubdivideError::Inverted {
+        level,
+        count: inverted.len(),
+        total: tets.len(),
+        examples: inverted.into_iter().take(5).collect(),
+    })
+}
+
+/// Tagged simplices, names and features, split like the tets.
+fn split_tags(coarse: &RawMesh, topology: &Topology) -> RawMesh {
+    let midpoint = |a: u32, b: u32| {
+        let edge = topology.edge_between(a, b).expect("tagged simplices have their edges numbered");
+        topology.vertex_count() as u32 + edge
+    };
+    let halves = |[a, b]: [u32; 2]| [[a, midpoint(a, b)], [midpoint(a, b), b]];
+    let quarters = |[a, b, c]: [u32; 3]| {
+        let [ab, ac, bc] = [midpoint(a, b), midpoint(a, c), midpoint(b, c)];
+        [[a, ab, ac], [ab, b, bc], [ac, bc, c], [ab, bc, ac]]
+    };
+    RawMesh {
+        triangles: split_each(&coarse.triangles, quarters),
+        edges: split_each(&coarse.edges, halves),
+        vertices: coarse.vertices.clone(),
+        groups: coarse.groups.clone(),
+        features: coarse.features.as_ref().map(|features| {
+            let mut creases: Vec<_> =
+                features.creases.iter().flat_map(|&edge| halves(edge)).map(ascending).collect();
+            creases.sort_unstable();
+            Features { creases, ..features.clone() }
+        }),
+        ..RawMesh::default()
+    }
+}
+
+fn split_each<const N: usize, const PARTS: usize>(
+    coarse: &Tagged<N>,
+    split: impl Fn([u32; N]) -> [[u32; N]; PARTS] + Sync,
+) -> Tagged<N> {
+    let parts: Vec<_> = coarse.simplices.par_iter().map(|&simplex| split(simplex)).collect();
+    Tagged {
+        simplices: parts.into_flattened(),
+        tags: coarse.tags.iter().flat_map(|&tag| [tag; PARTS]).collect(),
+    }
+}

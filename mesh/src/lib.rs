@@ -19,6 +19,7 @@ pub mod features;
 pub mod finding;
 pub mod hierarchy;
 pub mod marking;
+pub mod quality;
 pub mod raw_mesh;
 mod red_split;
 pub mod reference_tet;

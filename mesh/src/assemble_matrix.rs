@@ -1,10 +1,11 @@
 //! From a scheme's masks to the subdivision matrix of a whole mesh.
 
-use crate::raw_mesh::RawMesh;
+use crate::raw_mesh::{Features, RawMesh};
 use crate::reference_tet::opposite_ends;
 use crate::scheme::{Mask, Scheme};
 use crate::strata::Strata;
-use crate::subdivision_matrix::SubdivisionMatrix;
+use crate::subdivision_matrix::{SubdivisionMatrix, linear_matrix};
+use crate::tet_mesh::TetMesh;
 use crate::topology::{EdgeTets, Topology, VertexEdges};
 
 /// Everything a row is made from.
@@ -13,19 +14,34 @@ struct Neighbourhoods<'a> {
     topology: &'a Topology,
     vertex_edges: &'a VertexEdges,
     edge_tets: EdgeTets,
-    strata: &'a Strata,
+    strata: Strata,
     scheme: Scheme,
 }
 
-/// The matrix of one step of a scheme.
-pub(crate) fn subdivision_matrix(
+/// The matrix of one step of a scheme on a mesh with its topology.
+///
+/// Its rows follow the mesh's features; a mesh without them counts as smooth.
+pub fn subdivision_matrix(
+    mesh: &TetMesh,
+    topology: &Topology,
+    scheme: Scheme,
+) -> SubdivisionMatrix {
+    matrix_with(mesh.raw(), topology, &VertexEdges::new(topology), scheme)
+}
+
+/// The same, with the edges at each vertex at hand.
+pub(crate) fn matrix_with(
     mesh: &RawMesh,
     topology: &Topology,
     vertex_edges: &VertexEdges,
-    strata: &Strata,
     scheme: Scheme,
 ) -> SubdivisionMatrix {
+    if scheme == Scheme::Linear {
+        return linear_matrix(topology);
+    }
     let n = topology.vertex_count();
+    let smooth = Features::default();
+    let strata = Strata::new(mesh, topology, mesh.features.as_ref().unwrap_or(&smooth));
     let edge_tets = EdgeTets::new(topology);
     let near = Neighbourhoods { mesh, topology, vertex_edges, edge_tets, strata, scheme };
     SubdivisionMatrix::from_rows(

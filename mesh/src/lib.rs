@@ -31,6 +31,7 @@ pub mod subdivision_matrix;
 pub mod tet_mesh;
 pub mod topology;
 
+pub use assemble_matrix::subdivision_matrix;
 pub use check::{CheckError, CheckOptions, Checked, check, findings};
 pub use features::{FeatureOptions, prepare};
 pub use finding::{Finding, FindingKind};

@@ -2,14 +2,13 @@
 
 use rayon::prelude::*;
 
-use crate::assemble_matrix::subdivision_matrix;
+use crate::assemble_matrix::matrix_with;
 use crate::chunks::CHUNK;
 use crate::raw_mesh::{Features, RawMesh, Tagged};
 use crate::red_split::red_split;
 use crate::reference_tet::six_volumes;
 use crate::scheme::Scheme;
-use crate::strata::Strata;
-use crate::subdivision_matrix::{SubdivisionMatrix, linear_matrix};
+use crate::subdivision_matrix::SubdivisionMatrix;
 use crate::tet_mesh::TetMesh;
 use crate::topology::{Topology, VertexEdges, ascending};
 
@@ -89,15 +88,7 @@ pub fn subdivide(
         return Err(SubdivideError::TooLarge { level, tets: 8 * coarse.tets.len() });
     }
     let vertex_edges = VertexEdges::new(topology);
-    let no_features = Features::default();
-    let features = coarse.features.as_ref().unwrap_or(&no_features);
-    let matrix = match scheme {
-        Scheme::Linear => linear_matrix(topology),
-        Scheme::BoxSpline => {
-            let strata = Strata::new(coarse, topology, features);
-            subdivision_matrix(coarse, topology, &vertex_edges, &strata, scheme)
-        }
-    };
+    let matrix = matrix_with(coarse, topology, &vertex_edges, scheme);
     let points = matrix.apply(&coarse.points);
     let split = red_split(&coarse.tets, topology, &vertex_edges);
     refuse_inverted(&points, &split.tets, level)?;

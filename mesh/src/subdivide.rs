@@ -1,5 +1,7 @@
 //! One subdivision step: coarse mesh in, fine mesh and its matrix out.
 
+use std::cmp::Ordering::Greater;
+
 use rayon::prelude::*;
 
 use crate::assemble_matrix::matrix_with;
@@ -110,8 +112,10 @@ fn refuse_inverted(
         .par_iter()
         .with_min_len(CHUNK)
         .enumerate()
-        // Not "<= 0": a volume that is no number must be refused, too.
-        .filter(|(_, tet)| !(six_volumes(tet.map(|v| points[v as usize])) > 0.0))
+        // A volume that is no number is not greater than 0 either.
+        .filter(|(_, tet)| {
+            six_volumes(tet.map(|v| points[v as usize])).partial_cmp(&0.0) != Some(Greater)
+        })
         .map(|(t, _)| t as u32)
         .collect();
     if inverted.is_empty() {

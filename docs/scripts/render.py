@@ -6,12 +6,14 @@ Usage:
 
 Left: the coarse mesh, coloured by region, with its edges. Right: the refined
 mesh with its edges, the point array FIELD with contour lines, and a colour bar.
-Both files are VTU files of tetrahedra; a mesh
-in another format goes through `octruss convert` first.
+Both files are VTU files of tetrahedra; a mesh in another format goes through
+`octruss convert` first.
 
-Works without a display: VTK falls back to EGL or OSMesa by itself.
+Needs no display: VTK turns to EGL or OSMesa by itself (Debian: libegl1 or
+libosmesa6) and warns of a missing X server, which does no harm.
 
-Requirements: Python 3.11, vtk 9.7.2, pillow 13.0.0 (`pip install vtk==9.7.2 pillow==13.0.0`).
+Requirements, used with Python 3.11:
+    pip install numpy==2.4.6 pillow==13.0.0 vtk==9.7.2
 """
 
 import argparse

@@ -34,11 +34,3 @@ pub(crate) fn for_each<O: Copy + Sync, T: Send>(
     }
     tasks.into_par_iter().for_each(|(first, last, chunk)| work(first, last, chunk));
 }
-
-/// The offsets of rows with these lengths; one more than rows.
-pub(crate) fn offsets_of_lengths(lengths: impl IndexedParallelIterator<Item = u32>) -> Vec<u32> {
-    let mut offsets = vec![0; lengths.len() + 1];
-    offsets[1..].par_iter_mut().zip(lengths).for_each(|(slot, length)| *slot = length);
-    accumulate(&mut offsets);
-    offsets
-}

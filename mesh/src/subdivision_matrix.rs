@@ -3,7 +3,7 @@
 use nalgebra_sparse::CsrMatrix;
 use rayon::prelude::*;
 
-use crate::chunks::{self, CHUNK};
+use crate::chunks::CHUNK;
 use crate::topology::Topology;
 
 /// One subdivision step, n_fine × n_coarse in compressed rows; every row sums
@@ -21,28 +21,31 @@ pub struct SubdivisionMatrix {
 }
 
 impl SubdivisionMatrix {
-    /// Builds all rows in parallel: `length(i)` entries in row i, which
-    /// `fill(i, columns, weights)` writes in any order of columns.
+    /// Builds all rows in parallel: `fill(i, row)` adds the entries of row i.
     pub(crate) fn from_rows(
         rows: usize,
         coarse_vertices: usize,
-        length: impl Fn(usize) -> usize + Sync,
-        fill: impl Fn(usize, &mut [(u32, f64)]) + Sync,
+        fill: impl Fn(usize, &mut Row) + Sync,
     ) -> Self {
-        let offsets =
-            chunks::offsets_of_lengths((0..rows).into_par_iter().map(|row| length(row) as u32));
-        let mut entries = vec![(0u32, 0.0f64); offsets[rows] as usize];
-        chunks::for_each(&offsets, &mut entries, |first, last, chunk| {
-            let base = offsets[first] as usize;
-            for row in first..last {
-                let [start, end] = [row, row + 1].map(|r| offsets[r] as usize - base);
-                fill(row, &mut chunk[start..end]);
-                chunk[start..end].sort_unstable_by_key(|entry| entry.0);
-            }
-        });
-        let columns = entries.par_iter().map(|entry| entry.0).collect();
-        let weights = entries.par_iter().map(|entry| entry.1).collect();
-        Self { coarse_vertices, offsets, columns, weights }
+        let chunks: Vec<RowChunk> = (0..rows.div_ceil(CHUNK))
+            .into_par_iter()
+            .map(|chunk| RowChunk::new(CHUNK * chunk..rows.min(CHUNK * (chunk + 1)), &fill))
+            .collect();
+        let nonzeros = chunks.iter().map(|chunk| chunk.columns.len()).sum();
+        let mut matrix = Self {
+            coarse_vertices,
+            offsets: Vec::with_capacity(rows + 1),
+            columns: Vec::with_capacity(nonzeros),
+            weights: Vec::with_capacity(nonzeros),
+        };
+        matrix.offsets.push(0);
+        for chunk in chunks {
+            let before = matrix.columns.len() as u32;
+            matrix.offsets.extend(chunk.ends.iter().map(|end| before + end));
+            matrix.columns.extend_from_slice(&chunk.columns);
+            matrix.weights.extend_from_slice(&chunk.weights);
+        }
+        matrix
     }
 
     /// How many rows: vertices of the fine mesh.
@@ -111,6 +114,45 @@ impl SubdivisionMatrix {
     }
 }
 
+/// The entries of one row while it is made; repeated columns add up.
+#[derive(Default)]
+pub(crate) struct Row {
+    entries: Vec<(u32, f64)>,
+}
+
+impl Row {
+    pub fn add(&mut self, column: u32, weight: f64) {
+        self.entries.push((column, weight));
+    }
+}
+
+/// A few thousand rows, made by one task.
+struct RowChunk {
+    ends: Vec<u32>,
+    columns: Vec<u32>,
+    weights: Vec<f64>,
+}
+
+impl RowChunk {
+    fn new(rows: std::ops::Range<usize>, fill: &impl Fn(usize, &mut Row)) -> Self {
+        let mut chunk =
+            Self { ends: Vec::with_capacity(rows.len()), columns: Vec::new(), weights: Vec::new() };
+        let mut row = Row::default();
+        for number in rows {
+            row.entries.clear();
+            fill(number, &mut row);
+            // Stable: repeated columns add up in the order they came.
+            row.entries.sort_by_key(|entry| entry.0);
+            for repeated in row.entries.chunk_by(|a, b| a.0 == b.0) {
+                chunk.columns.push(repeated[0].0);
+                chunk.weights.push(repeated.iter().map(|entry| entry.1).sum());
+            }
+            chunk.ends.push(chunk.columns.len() as u32);
+        }
+        chunk
+    }
+}
+
 impl From<&SubdivisionMatrix> for CsrMatrix<f64> {
     /// The public form, for its ecosystem; 16 bytes an entry.
     fn from(matrix: &SubdivisionMatrix) -> Self {
@@ -129,17 +171,8 @@ impl From<&SubdivisionMatrix> for CsrMatrix<f64> {
 pub fn linear_matrix(topology: &Topology) -> SubdivisionMatrix {
     let n = topology.vertex_count();
     let edges = topology.edges();
-    SubdivisionMatrix::from_rows(
-        n + edges.len(),
-        n,
-        |row| if row < n { 1 } else { 2 },
-        |row, entries| match row.checked_sub(n) {
-            None => entries[0] = (row as u32, 1.0),
-            Some(edge) => {
-                for (entry, end) in entries.iter_mut().zip(edges[edge]) {
-                    *entry = (end, 0.5);
-                }
-            }
-        },
-    )
+    SubdivisionMatrix::from_rows(n + edges.len(), n, |row, entries| match row.checked_sub(n) {
+        None => entries.add(row as u32, 1.0),
+        Some(edge) => edges[edge].into_iter().for_each(|end| entries.add(end, 0.5)),
+    })
 }

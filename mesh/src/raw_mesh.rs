@@ -1,5 +1,7 @@
 //! A mesh as a file holds it: plain data, nothing checked.
 
+use crate::reference_tet::CellState;
+
 /// Points, tets and tagged simplices as a file states them, unchecked.
 ///
 /// Indices may be out of range, tets inverted, coordinates not finite;
@@ -62,6 +64,9 @@ pub struct Features {
     pub corners: Vec<u32>,
     /// Surface groups whose triangles are surface strata even inside a region; sorted.
     pub surfaces: Vec<i32>,
+    /// What each tet is in the octet truss; empty if all are tetrahedral cells,
+    /// as on a mesh that was never refined.
+    pub cell_states: Vec<CellState>,
 }
 
 impl<const N: usize> Tagged<N> {

@@ -45,6 +45,42 @@ pub const CHILDREN: [[usize; 4]; 8] = [
 /// place: entry p marks {x0x2, x1x3}, {x0x1, x2x3}, {x0x3, x1x2} for p = 0, 1, 2.
 pub const MARKING_PERMUTATIONS: [[usize; 4]; 3] = [[0, 1, 2, 3], [0, 3, 1, 2], [0, 2, 3, 1]];
 
+/// What a tet is in the octet truss that the red split makes of each initial
+/// tet: a tetrahedral cell, or a quarter of an octahedron.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum CellState {
+    /// A tetrahedral cell, as every initial tet.
+    #[default]
+    Tetrahedron,
+    /// A quarter of an octahedron whose diagonal is the edge x0 x2.
+    QuarterRoundX0X2,
+    /// A quarter of an octahedron whose diagonal is the edge x1 x3.
+    QuarterRoundX1X3,
+}
+
+impl CellState {
+    /// The local edge that is the diagonal of the octahedron, if it is part of one.
+    pub const fn diagonal(self) -> Option<usize> {
+        match self {
+            Self::Tetrahedron => None,
+            Self::QuarterRoundX0X2 => Some(1),
+            Self::QuarterRoundX1X3 => Some(4),
+        }
+    }
+
+    /// The states of the eight [`CHILDREN`].
+    pub const fn children(self) -> [Self; 8] {
+        const T: CellState = CellState::Tetrahedron;
+        const P: CellState = CellState::QuarterRoundX0X2;
+        const Q: CellState = CellState::QuarterRoundX1X3;
+        match self {
+            T => [T, T, T, T, Q, Q, P, P],
+            P => [P, P, P, P, T, P, Q, T],
+            Q => [Q, Q, Q, Q, P, T, T, Q],
+        }
+    }
+}
+
 /// The edge between two local vertices.
 pub const fn edge_between(a: usize, b: usize) -> usize {
     let (low, high) = if a < b { (a, b) } else { (b, a) };

@@ -1,73 +1,97 @@
-//! Which weights a subdivision step uses: one rule table by dimension.
+//! Which weights a subdivision step uses.
 
 /// A subdivision scheme: everything that changes the shape, as one value.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+///
+/// Each has a rule for every dimension of stratum; see [`crate::strata`].
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Scheme {
     /// Midpoints: the shape stays, the tets get smaller.
     Linear,
-    /// The box-spline scheme of Chang's thesis, chapter 4: C² in the regular
-    /// interior, Loop's scheme with Warren's weights on surfaces, cubic
-    /// B-splines on curves.
+    /// Chang's approximating scheme (thesis, chapter 4): C² in the regular
+    /// interior.
     BoxSpline,
+    /// The mean of the three box splines of an octet truss (thesis, section
+    /// 4.7): does not depend on which pairs are marked.
+    Averaged,
+    /// Chang's interpolatory scheme (thesis, chapter 5): vertices stay.
+    Interpolatory {
+        /// The tension w; 0 is linear, 1/16 reproduces cubics on the lattice.
+        tension: f64,
+        /// The rule of an edge that all its four tets mark.
+        marked: MarkedRule,
+    },
+    /// Wang's Loop-based scheme (thesis, chapter 3): vertices are averaged,
+    /// edges halved inside.
+    LoopSolid {
+        /// The weight c of an interior vertex itself.
+        interior: f64,
+        /// Which inner diagonal splits a tet.
+        diagonal: Diagonal,
+    },
 }
 
-/// The weights of one rule; `own` + `each` × neighbours (for an edge 2 `own` +
-/// `each` × neighbours) is one.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Mask {
-    /// The weight of the vertex itself, or of each end of the edge.
-    pub own: f64,
-    /// The weight of each neighbour in the stratum; 0 if none is read.
-    pub each: f64,
+/// The interpolatory rule of an edge that all its four tets mark.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum MarkedRule {
+    /// The mean of the butterfly rule in the two lattice planes through the
+    /// edge: C¹ for 0 < w < 1/6.
+    PlaneButterfly,
+    /// As published (equation 5.9), for comparison: reproduces degree 1 only
+    /// and is not C¹ for any w.
+    Literal,
 }
 
-impl Mask {
-    const FIXED: Self = Self { own: 1.0, each: 0.0 };
-    const MIDPOINT: Self = Self { own: 0.5, each: 0.0 };
+/// Which inner diagonal the red split takes.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Diagonal {
+    /// The marked pair, as handed on from the parent.
+    Inherit,
+    /// The shortest at every level, as published; ties keep the marked pair.
+    ShortestEachLevel,
 }
 
 impl Scheme {
+    /// The interpolatory scheme with its usual tension.
+    pub const INTERPOLATORY: Self =
+        Self::Interpolatory { tension: 1.0 / 16.0, marked: MarkedRule::PlaneButterfly };
+    /// The Loop-based scheme with its usual weight.
+    pub const LOOP_SOLID: Self = Self::LoopSolid { interior: 0.8, diagonal: Diagonal::Inherit };
+
     /// The name by which configurations and the command line call it.
     pub fn name(self) -> &'static str {
         match self {
             Self::Linear => "linear",
             Self::BoxSpline => "box-spline",
+            Self::Averaged => "averaged",
+            Self::Interpolatory { marked: MarkedRule::PlaneButterfly, .. } => "interpolatory",
+            Self::Interpolatory { marked: MarkedRule::Literal, .. } => "interpolatory-literal",
+            Self::LoopSolid { .. } => "loop-solid",
         }
     }
 
-    /// The rule of a vertex in a stratum of this dimension (0 to 3) with this
-    /// many neighbours there.
-    ///
-    /// Box spline: solid 9/16 and 7/(16 m) (thesis 4.24, any valence m);
-    /// surface Loop–Warren, each 3/(8 n), or 3/16 for n = 3; curve 3/4 and 1/8;
-    /// point fixed.
-    pub fn vertex_mask(self, dimension: u8, neighbours: usize) -> Mask {
-        let n = neighbours as f64;
-        match (self, dimension) {
-            (Self::Linear, _) | (_, 0) => Mask::FIXED,
-            (Self::BoxSpline, 1) => Mask { own: 0.75, each: 0.125 },
-            // A surface needs three neighbours round a vertex.
-            (Self::BoxSpline, 2) if neighbours < 3 => Mask::FIXED,
-            (Self::BoxSpline, 2) => {
-                let each = if neighbours == 3 { 3.0 / 16.0 } else { 3.0 / (8.0 * n) };
-                Mask { own: 1.0 - n * each, each }
-            }
-            (Self::BoxSpline, _) => Mask { own: 9.0 / 16.0, each: 7.0 / (16.0 * n) },
-        }
+    /// The scheme of a name, with its usual parameters.
+    pub fn from_name(name: &str) -> Option<Self> {
+        Self::ALL.into_iter().find(|scheme| scheme.name() == name)
     }
 
-    /// The rule of an edge in a stratum of this dimension (1 to 3) with this
-    /// many neighbours there: opposite vertices on a surface, link vertices in
-    /// the solid.
-    ///
-    /// Box spline: solid 1/4 and 1/8 round an edge of four tets (thesis 4.26),
-    /// else 5/16 and 3/(8 k) (4.25); surface 3/8 and 1/8; curve the midpoint.
-    pub fn edge_mask(self, dimension: u8, neighbours: usize) -> Mask {
-        match (self, dimension) {
-            (Self::Linear, _) | (_, 0 | 1) => Mask::MIDPOINT,
-            (Self::BoxSpline, 2) => Mask { own: 3.0 / 8.0, each: 1.0 / 8.0 },
-            (Self::BoxSpline, _) if neighbours == 4 => Mask { own: 1.0 / 4.0, each: 1.0 / 8.0 },
-            (Self::BoxSpline, _) => Mask { own: 5.0 / 16.0, each: 3.0 / (8.0 * neighbours as f64) },
-        }
+    /// Every scheme, with its usual parameters.
+    pub const ALL: [Self; 6] = [
+        Self::Linear,
+        Self::BoxSpline,
+        Self::Averaged,
+        Self::INTERPOLATORY,
+        Self::Interpolatory { tension: 1.0 / 16.0, marked: MarkedRule::Literal },
+        Self::LOOP_SOLID,
+    ];
+
+    /// Whether vertices of the coarse mesh stay where they are.
+    pub fn keeps_vertices(self) -> bool {
+        matches!(self, Self::Linear | Self::Interpolatory { .. })
+    }
+
+    /// Whether some weights are negative, so that values may leave the range of
+    /// their stencil.
+    pub fn overshoots(self) -> bool {
+        matches!(self, Self::Interpolatory { .. })
     }
 }

@@ -18,6 +18,8 @@ pub struct Strata {
     /// 1 curve, 2 surface, 3 solid, for each edge. An edge is in a stratum only
     /// if it is an edge of it, not because its ends are.
     pub edge_dimensions: Vec<u8>,
+    /// Whether each face belongs to a surface stratum.
+    pub is_surface: Vec<bool>,
     /// Neighbours of vertices along edges of surface strata.
     surface: Incidence,
     /// Neighbours of vertices along curve edges.
@@ -60,7 +62,7 @@ impl Strata {
                 }
             })
             .collect();
-        Self { vertex_dimensions, edge_dimensions, surface, curve, opposite }
+        Self { vertex_dimensions, edge_dimensions, is_surface, surface, curve, opposite }
     }
 
     /// The vertices that share an edge of a surface stratum with this one, ascending.

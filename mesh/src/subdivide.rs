@@ -8,7 +8,7 @@ use crate::assemble_matrix::matrix_with;
 use crate::chunks::CHUNK;
 use crate::raw_mesh::{Features, RawMesh, Tagged};
 use crate::red_split::red_split;
-use crate::reference_tet::six_volumes;
+use crate::reference_tet::{CellState, six_volumes};
 use crate::scheme::Scheme;
 use crate::subdivision_matrix::SubdivisionMatrix;
 use crate::tet_mesh::TetMesh;
@@ -149,10 +149,17 @@ fn split_tags(coarse: &RawMesh, topology: &Topology) -> RawMesh {
             let mut creases: Vec<_> =
                 features.creases.iter().flat_map(|&edge| halves(edge)).map(ascending).collect();
             creases.sort_unstable();
-            Features { creases, ..features.clone() }
+            Features { creases, cell_states: split_states(coarse, features), ..features.clone() }
         }),
         ..RawMesh::default()
     }
+}
+
+fn split_states(coarse: &RawMesh, features: &Features) -> Vec<CellState> {
+    if features.cell_states.is_empty() {
+        return coarse.tets.iter().flat_map(|_| CellState::default().children()).collect();
+    }
+    features.cell_states.iter().flat_map(|state| state.children()).collect()
 }
 
 fn split_each<const N: usize, const PARTS: usize>(

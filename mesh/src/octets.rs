@@ -1,0 +1,117 @@
+//! Tetrahedral and octahedral cells of the octet truss behind a refined mesh.
+
+use crate::neighbourhoods::Neighbourhoods;
+use crate::raw_mesh::RawMesh;
+use crate::strata::Incidence;
+use crate::topology::{NONE, Topology};
+
+/// The octahedra: groups of four tets round a common diagonal.
+pub(crate) struct Octets {
+    octahedra: Vec<Octahedron>,
+    /// The octahedron that each tet is a quarter of, or [`NONE`].
+    of_tet: Vec<u32>,
+    is_diagonal: Vec<bool>,
+    at_vertex: Incidence,
+}
+
+struct Octahedron {
+    poles: [u32; 2],
+    cycle: [u32; 4],
+}
+
+/// The vertices round an edge of the truss.
+pub(crate) struct Ring {
+    /// Joined to both ends by edges of the truss inside a common cell; distinct.
+    pub hard: Vec<u32>,
+    /// Opposite to an end across an octahedron: two for each octahedron.
+    pub soft: Vec<u32>,
+}
+
+impl Octets {
+    pub fn new(near: &Neighbourhoods, mesh: &RawMesh, topology: &Topology) -> Self {
+        let states = mesh.features.as_ref().map_or(&[][..], |features| &features.cell_states);
+        let mut of_tet = vec![NONE; mesh.tets.len()];
+        let mut is_diagonal = vec![false; topology.edges().len()];
+        let mut octahedra = Vec::new();
+        for (tet, &state) in states.iter().enumerate() {
+            let Some(local) = state.diagonal() else { continue };
+            let diagonal = topology.tet_edges()[tet][local];
+            if std::mem::replace(&mut is_diagonal[diagonal as usize], true) {
+                continue;
+            }
+            let quarters = near.round(diagonal);
+            quarters.iter().for_each(|&slot| of_tet[slot as usize / 6] = octahedra.len() as u32);
+            let tet = mesh.tets[quarters[0] as usize / 6];
+            let poles = near.ends(diagonal);
+            let first =
+                tet.into_iter().find(|v| !poles.contains(v)).expect("a tet has four vertices");
+            let cycle = near.cyclic_link(diagonal, first);
+            octahedra.push(Octahedron {
+                poles,
+                cycle: cycle.try_into().expect("four tets make an octahedron"),
+            });
+        }
+        let corners = (0u32..).zip(&octahedra).flat_map(|(number, octahedron)| {
+            octahedron.vertices().map(move |vertex| [vertex, number])
+        });
+        let at_vertex = Incidence::new(corners.collect());
+        Self { octahedra, of_tet, is_diagonal, at_vertex }
+    }
+
+    pub fn is_diagonal(&self, edge: u32) -> bool {
+        self.is_diagonal[edge as usize]
+    }
+
+    /// The vertices joined to one by edges of the truss.
+    pub fn hard_neighbours(&self, near: &Neighbourhoods, vertex: u32) -> impl Iterator<Item = u32> {
+        let edges = near.edges_at(vertex).iter().filter(|&&edge| !self.is_diagonal(edge));
+        edges.map(move |&edge| near.other_end(edge, vertex))
+    }
+
+    /// The vertices opposite to one, an entry for each octahedron at it.
+    pub fn opposite_vertices(&self, vertex: u32) -> impl Iterator<Item = u32> {
+        let octahedra = self.at_vertex.of(vertex).iter();
+        octahedra.map(move |&number| self.octahedra[number as usize].opposite(vertex))
+    }
+
+    /// The vertices round an edge of the truss.
+    pub fn ring(&self, near: &Neighbourhoods, edge: u32) -> Ring {
+        let ends = near.ends(edge);
+        let mut octahedra: Vec<u32> = Vec::new();
+        let mut ring = Ring { hard: Vec::new(), soft: Vec::new() };
+        let mut add_hard = |vertex: u32| {
+            if !ring.hard.contains(&vertex) {
+                ring.hard.push(vertex);
+            }
+        };
+        for &slot in near.round(edge) {
+            match self.of_tet[slot as usize / 6] {
+                NONE => near.link_edge(slot).into_iter().for_each(&mut add_hard),
+                number if !octahedra.contains(&number) => {
+                    octahedra.push(number);
+                    let octahedron = &self.octahedra[number as usize];
+                    let opposite = ends.map(|end| octahedron.opposite(end));
+                    let beside = |v: &u32| !ends.contains(v) && !opposite.contains(v);
+                    octahedron.vertices().filter(beside).for_each(&mut add_hard);
+                    ring.soft.extend(opposite);
+                }
+                _ => {}
+            }
+        }
+        ring
+    }
+}
+
+impl Octahedron {
+    fn vertices(&self) -> impl Iterator<Item = u32> {
+        self.poles.into_iter().chain(self.cycle)
+    }
+
+    fn opposite(&self, vertex: u32) -> u32 {
+        let [p, q] = self.poles;
+        match self.cycle.iter().position(|&v| v == vertex) {
+            Some(place) => self.cycle[(place + 2) % 4],
+            None => p ^ q ^ vertex,
+        }
+    }
+}

@@ -1,0 +1,27 @@
+//! The box-spline scheme inside a solid (Chang's thesis, section 4.5).
+
+use super::add_ends;
+use crate::neighbourhoods::Neighbourhoods;
+use crate::subdivision_matrix::Row;
+
+/// 9/16 itself, 7/(16 m) each of its m neighbours (4.24).
+pub(crate) fn vertex(near: &Neighbourhoods, vertex: u32, row: &mut Row) {
+    row.add(vertex, 9.0 / 16.0);
+    let neighbours = near.neighbours(vertex);
+    let each = 7.0 / (16.0 * neighbours.len() as f64);
+    neighbours.for_each(|neighbour| row.add(neighbour, each));
+}
+
+/// Round an edge of four tets 1/4 the ends, 1/8 each link vertex (4.26); of
+/// k ≠ 4 tets 5/16 and 3/(8 k) (4.25).
+///
+/// The first holds for every interior edge of four tets, regular or not: this
+/// is what reproduces the published eigenvalues.
+pub(crate) fn edge(near: &Neighbourhoods, edge: u32, row: &mut Row) {
+    let tets = near.round(edge).len();
+    let (end, link) =
+        if tets == 4 { (1.0 / 4.0, 1.0 / 8.0) } else { (5.0 / 16.0, 3.0 / (8.0 * tets as f64)) };
+    add_ends(near, edge, end, row);
+    // Each link vertex comes twice.
+    near.link_twice(edge).for_each(|vertex| row.add(vertex, 0.5 * link));
+}

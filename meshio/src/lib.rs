@@ -2,6 +2,7 @@
 
 pub mod dataset;
 pub mod error;
+pub mod gmsh;
 
 pub use dataset::{Dataset, Field, Values};
 pub use error::{Error, Place};

@@ -1,0 +1,128 @@
+//! From the sections of a file to a [`Dataset`].
+
+use octruss_mesh::{Group, RawMesh};
+
+use super::data::FieldStep;
+use super::elements::Elements;
+use super::nodes::Nodes;
+use crate::{Dataset, Field, Values};
+
+/// What the sections of a file say.
+#[derive(Default)]
+pub struct Sections {
+    /// `$PhysicalNames`.
+    pub groups: Vec<Group>,
+    /// `$NodeData`, one a section.
+    pub point_data: Vec<FieldStep>,
+    /// `$ElementData`, one a section.
+    pub cell_data: Vec<FieldStep>,
+    /// Remarks on what was passed over.
+    pub notes: Vec<String>,
+}
+
+/// Puts nodes, elements and the other sections together.
+pub fn dataset(nodes: Nodes, elements: Elements, sections: Sections) -> Dataset {
+    let mut notes = sections.notes;
+    note_groups(&elements, &mut notes);
+    let point_fields = fields(sections.point_data, "nodes", &mut notes);
+    let cell_fields = fields(sections.cell_data, "tets", &mut notes);
+    let (second_order_tets, mid_side) = (elements.second_order_tets, elements.mid_side);
+    let mesh = RawMesh {
+        points: nodes.points,
+        tets: elements.tets,
+        regions: elements.regions,
+        triangles: elements.triangles,
+        edges: elements.edges,
+        vertices: elements.vertices,
+        groups: sections.groups,
+        features: None,
+    };
+    let mut dataset = Dataset { mesh, point_fields, cell_fields, notes };
+    if !mid_side.is_empty() {
+        drop_mid_side_nodes(&mut dataset, &mid_side, second_order_tets);
+    }
+    dataset
+}
+
+fn note_groups(elements: &Elements, notes: &mut Vec<String>) {
+    let several = elements.tets_in_several_groups;
+    if several > 0 {
+        notes.push(format!(
+            "{several} tets are in several volume groups; the first one is their region, \
+             and a tet that the file lists once for each was read once"
+        ));
+    }
+}
+
+/// The fields by unique names: later time steps of a name get the step added.
+fn fields(data: Vec<FieldStep>, owners: &str, notes: &mut Vec<String>) -> Vec<Field> {
+    let mut fields: Vec<Field> = Vec::with_capacity(data.len());
+    for FieldStep { mut field, step, missing } in data {
+        let taken = |name: &str, fields: &[Field]| fields.iter().any(|other| other.name == name);
+        if taken(&field.name, &fields) {
+            field.name = format!("{} (step {step})", field.name);
+        }
+        while taken(&field.name, &fields) {
+            field.name.push('\'');
+        }
+        if missing > 0 {
+            notes.push(format!(
+                "the field \"{}\" has no value for {missing} {owners}; they are NaN",
+                field.name
+            ));
+        }
+        fields.push(field);
+    }
+    fields
+}
+
+/// Removes the nodes that only served as mid-side nodes, and their values.
+fn drop_mid_side_nodes(dataset: &mut Dataset, mid_side: &[u32], second_order_tets: usize) {
+    let mesh = &mut dataset.mesh;
+    let mut keep = vec![true; mesh.points.len()];
+    for &node in mid_side {
+        keep[node as usize] = false;
+    }
+    let corners = mesh.tets.as_flattened().iter();
+    let corners = corners.chain(mesh.triangles.simplices.as_flattened());
+    let corners = corners.chain(mesh.edges.simplices.as_flattened());
+    for &node in corners.chain(mesh.vertices.simplices.as_flattened()) {
+        keep[node as usize] = true;
+    }
+    let mut kept = 0;
+    let numbers: Vec<u32> = keep
+        .iter()
+        .map(|&keep| {
+            kept += u32::from(keep);
+            // Nodes to drop get a number, too, which nothing refers to.
+            kept.saturating_sub(1)
+        })
+        .collect();
+    for node in mesh
+        .tets
+        .as_flattened_mut()
+        .iter_mut()
+        .chain(mesh.triangles.simplices.as_flattened_mut())
+        .chain(mesh.edges.simplices.as_flattened_mut())
+        .chain(mesh.vertices.simplices.as_flattened_mut())
+    {
+        *node = numbers[*node as usize];
+    }
+    let all = mesh.points.len();
+    mesh.points = kept_tuples(&mesh.points, 1, &keep);
+    for field in &mut dataset.point_fields {
+        match &mut field.values {
+            Values::Float(values) => *values = kept_tuples(values, field.components, &keep),
+            Values::Integer(values) => *values = kept_tuples(values, field.components, &keep),
+        }
+    }
+    dataset.notes.push(format!(
+        "{second_order_tets} second-order tets were read as linear ones, without {} mid-side nodes",
+        all - kept as usize
+    ));
+}
+
+fn kept_tuples<T: Copy>(values: &[T], components: usize, keep: &[bool]) -> Vec<T> {
+    let tuples = values.chunks_exact(components).zip(keep);
+    tuples.filter(|&(_, &keep)| keep).flat_map(|(tuple, _)| tuple).copied().collect()
+}

@@ -1,0 +1,307 @@
+//! A cursor over the bytes of a file that reads numbers the same way from text
+//! and from binary sections, and knows its place for error messages.
+
+use std::path::Path;
+use std::str::FromStr;
+
+use crate::{Error, Place};
+
+/// How the numbers of the sections with bulk data are written.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Encoding {
+    /// Decimal text, a record a line.
+    Ascii,
+    /// Binary, least significant byte first.
+    LittleEndian,
+    /// Binary, most significant byte first.
+    BigEndian,
+}
+
+/// The cursor. Every read names what it looks for, so that the message of a
+/// failure can say what was expected.
+pub struct Scanner<'a> {
+    path: &'a Path,
+    bytes: &'a [u8],
+    position: usize,
+    /// Set by the file's header; ASCII until then.
+    pub encoding: Encoding,
+}
+
+impl<'a> Scanner<'a> {
+    /// A cursor at the first byte; `path` serves messages only.
+    pub fn new(path: &'a Path, bytes: &'a [u8]) -> Self {
+        Self { path, bytes, position: 0, encoding: Encoding::Ascii }
+    }
+
+    /// The bytes that are still to be read.
+    pub fn rest(&self) -> &'a [u8] {
+        &self.bytes[self.position..]
+    }
+
+    /// Where the next byte is, for [`Scanner::malformed_at`].
+    pub fn position(&self) -> usize {
+        self.position
+    }
+
+    /// The file's content is wrong where the cursor stands.
+    #[cold]
+    pub fn malformed(&self, message: impl Into<String>) -> Error {
+        self.malformed_at(self.position, message)
+    }
+
+    /// The file's content is wrong at `position`: a line of a text file, a byte of a binary one.
+    #[cold]
+    pub fn malformed_at(&self, position: usize, message: impl Into<String>) -> Error {
+        let place = match self.encoding {
+            Encoding::Ascii => {
+                let before = &self.bytes[..position.min(self.bytes.len())];
+                Place::Line(1 + before.iter().filter(|&&byte| byte == b'\n').count())
+            }
+            Encoding::LittleEndian | Encoding::BigEndian => Place::Byte(position),
+        };
+        Error::malformed(self.path, place, message)
+    }
+
+    /// The file may be right but is not handled.
+    #[cold]
+    pub fn unsupported(&self, message: impl Into<String>) -> Error {
+        Error::unsupported(self.path, message)
+    }
+
+    // Numbers of bulk data, in the file's encoding.
+
+    /// A 32-bit integer of bulk data.
+    #[inline]
+    pub fn int(&mut self, what: &str) -> Result<i32, Error> {
+        match self.encoding {
+            Encoding::Ascii => self.parsed(parse_i32, "a whole number", what),
+            Encoding::LittleEndian => Ok(i32::from_le_bytes(self.take(what)?)),
+            Encoding::BigEndian => Ok(i32::from_be_bytes(self.take(what)?)),
+        }
+    }
+
+    /// A 64-bit count or tag of bulk data.
+    #[inline]
+    pub fn size(&mut self, what: &str) -> Result<u64, Error> {
+        match self.encoding {
+            Encoding::Ascii => self.parsed(parse_u64, "a whole number, 0 or more", what),
+            Encoding::LittleEndian => Ok(u64::from_le_bytes(self.take(what)?)),
+            Encoding::BigEndian => Ok(u64::from_be_bytes(self.take(what)?)),
+        }
+    }
+
+    /// A tag that is 32-bit and signed in binary files, but must not be negative.
+    #[inline]
+    pub fn tag(&mut self, what: &str) -> Result<u64, Error> {
+        if self.encoding == Encoding::Ascii {
+            return self.size(what);
+        }
+        let start = self.position;
+        let tag = self.int(what)?;
+        u64::try_from(tag)
+            .map_err(|_| self.malformed_at(start, format!("{what} is {tag}; expected 0 or more")))
+    }
+
+    /// A floating-point number of bulk data. "nan" and "inf" are numbers here.
+    #[inline]
+    pub fn double(&mut self, what: &str) -> Result<f64, Error> {
+        match self.encoding {
+            Encoding::Ascii => self.parsed(parse_text, "a number", what),
+            Encoding::LittleEndian => Ok(f64::from_le_bytes(self.take(what)?)),
+            Encoding::BigEndian => Ok(f64::from_be_bytes(self.take(what)?)),
+        }
+    }
+
+    /// Ends a record of bulk data: the rest of the line must be blank. Binary records have no end.
+    #[inline]
+    pub fn end_record(&mut self, what: &str) -> Result<(), Error> {
+        if self.encoding != Encoding::Ascii {
+            return Ok(());
+        }
+        self.skip_spaces();
+        match self.bytes.get(self.position) {
+            None => Ok(()),
+            Some(b'\n') => {
+                self.position += 1;
+                Ok(())
+            }
+            Some(_) => Err(self.malformed(format!(
+                "{what} is complete, but the line goes on with {}; expected the end of the line",
+                quoted(self.peek_token())
+            ))),
+        }
+    }
+
+    /// Checks a count that the file announces at `place` against the bytes that are left
+    /// (each record takes `least` bytes at least), so that it may size memory.
+    pub fn announced(
+        &self,
+        place: usize,
+        count: u64,
+        least: usize,
+        what: &str,
+    ) -> Result<usize, Error> {
+        let left = self.rest().len();
+        usize::try_from(count).ok().filter(|&count| count <= left / least.max(1)).ok_or_else(|| {
+            self.malformed_at(
+                place,
+                format!(
+                    "{count} {what} are announced, but only {left} bytes follow, \
+                 too few for them: the count is wrong or the file is cut off"
+                ),
+            )
+        })
+    }
+
+    #[inline]
+    fn parsed<T>(
+        &mut self,
+        parse: impl Fn(&[u8]) -> Option<T>,
+        kind: &str,
+        what: &str,
+    ) -> Result<T, Error> {
+        self.skip_spaces();
+        let token = self.peek_token();
+        match parse(token) {
+            Some(value) => {
+                self.position += token.len();
+                Ok(value)
+            }
+            None => Err(self.unexpected(token, kind, what)),
+        }
+    }
+
+    #[cold]
+    fn unexpected(&self, token: &[u8], kind: &str, what: &str) -> Error {
+        let found = if !token.is_empty() {
+            format!("found {}", quoted(token))
+        } else if self.rest().is_empty() {
+            return self.cut_off(&format!("{what} ({kind})"));
+        } else {
+            "the line ends".to_string()
+        };
+        self.malformed(format!("{found} where {what} was expected, {kind}"))
+    }
+
+    /// The file ends before `what`.
+    #[cold]
+    pub fn cut_off(&self, what: &str) -> Error {
+        self.malformed_at(
+            self.bytes.len(),
+            format!("the file ends where {what} was expected: it is cut off, write it again"),
+        )
+    }
+
+    #[inline]
+    fn take<const N: usize>(&mut self, what: &str) -> Result<[u8; N], Error> {
+        match self.rest().first_chunk::<N>() {
+            Some(&chunk) => {
+                self.position += N;
+                Ok(chunk)
+            }
+            None => Err(self.cut_off(what)),
+        }
+    }
+
+    #[inline]
+    fn skip_spaces(&mut self) {
+        while let Some(b' ' | b'\t' | b'\r') = self.bytes.get(self.position) {
+            self.position += 1;
+        }
+    }
+
+    #[inline]
+    fn peek_token(&self) -> &'a [u8] {
+        let rest = self.rest();
+        let end = rest.iter().position(|&byte| byte <= b' ').unwrap_or(rest.len());
+        &rest[..end]
+    }
+
+    // Lines, which are text in binary files, too.
+
+    /// The next line without its end and without blanks around it.
+    pub fn line(&mut self, what: &str) -> Result<&'a [u8], Error> {
+        let rest = self.rest();
+        if rest.is_empty() {
+            return Err(self.cut_off(what));
+        }
+        let end = rest.iter().position(|&byte| byte == b'\n').unwrap_or(rest.len());
+        self.position = (self.position + end + 1).min(self.bytes.len());
+        Ok(rest[..end].trim_ascii())
+    }
+
+    /// A line that holds one number.
+    pub fn number_line<T: FromStr>(&mut self, what: &str) -> Result<T, Error> {
+        let start = self.position;
+        let line = self.line(what)?;
+        parse_text(line).ok_or_else(|| {
+            self.malformed_at(
+                start,
+                format!("found {} where {what} was expected, one number on a line", quoted(line)),
+            )
+        })
+    }
+
+    /// Skips blank lines.
+    pub fn skip_blank(&mut self) {
+        let rest = self.rest();
+        let blank = rest.iter().take_while(|byte| byte.is_ascii_whitespace()).count();
+        self.position += blank;
+    }
+
+    /// Moves behind the next line that is exactly `marker`; binary data may come before it.
+    pub fn skip_past_line(&mut self, marker: &str) -> Result<(), Error> {
+        let rest = self.rest();
+        let mut from = 0;
+        while let Some(found) = rest[from..].iter().position(|&byte| byte == b'$') {
+            let at = from + found;
+            from = at + 1;
+            let starts_line = at == 0 || rest[at - 1] == b'\n';
+            if let Some(tail) = rest[at..].strip_prefix(marker.as_bytes())
+                && starts_line
+                && only_blanks(tail)
+            {
+                self.position += at + marker.len();
+                return Ok(());
+            }
+        }
+        Err(self.cut_off(&format!("the line {marker}")))
+    }
+}
+
+/// Whether the line that `text` starts with holds blanks only.
+fn only_blanks(text: &[u8]) -> bool {
+    matches!(text.iter().find(|byte| !matches!(byte, b' ' | b'\t' | b'\r')), None | Some(b'\n'))
+}
+
+/// A piece of the file as a message can show it: short, printable, in quotes.
+pub fn quoted(text: &[u8]) -> String {
+    const SHOWN: usize = 40;
+    let cut = &text[..text.len().min(SHOWN)];
+    let dots = if text.len() > SHOWN { "…" } else { "" };
+    format!("\"{}{dots}\"", String::from_utf8_lossy(cut).escape_debug())
+}
+
+#[inline]
+fn parse_u64(token: &[u8]) -> Option<u64> {
+    // Nineteen digits always fit.
+    if token.is_empty() || token.len() > 19 {
+        return parse_text(token);
+    }
+    token.iter().try_fold(0_u64, |value, &byte| {
+        byte.is_ascii_digit().then(|| 10 * value + u64::from(byte - b'0'))
+    })
+}
+
+#[inline]
+fn parse_i32(token: &[u8]) -> Option<i32> {
+    match token.strip_prefix(b"-") {
+        Some(digits) => i32::try_from(-i64::try_from(parse_u64(digits)?).ok()?).ok(),
+        None => i32::try_from(parse_u64(token)?).ok(),
+    }
+}
+
+/// Parses through the standard library.
+pub fn parse_text<T: FromStr>(token: &[u8]) -> Option<T> {
+    std::str::from_utf8(token).ok()?.parse().ok()
+}

@@ -46,9 +46,7 @@ pub fn read(scanner: &mut Scanner) -> Result<Version, Error> {
                     quoted(data_size)
                 )));
             }
-            scanner.encoding = byte_order(scanner)?;
-            // Past the number one, read as text by nobody.
-            scanner.int("the number one")?;
+            read_byte_order(scanner)?;
         }
         _ => {
             return Err(scanner.malformed_at(
@@ -62,21 +60,21 @@ pub fn read(scanner: &mut Scanner) -> Result<Version, Error> {
 }
 
 fn find_start(scanner: &mut Scanner) -> Result<(), Error> {
-    let rest = scanner.rest();
+    let (start, rest) = (scanner.position(), scanner.rest());
     if rest.is_empty() {
         return Err(scanner.malformed("the file is empty; expected $MeshFormat of a Gmsh mesh"));
     }
     if rest.starts_with(b"$NOD") || rest.starts_with(b"$PARA") {
         return Err(unsupported_version(scanner, "1.0"));
     }
-    if scanner.section()?.as_deref() == Some("MeshFormat") {
-        return Ok(());
+    match scanner.section() {
+        Ok(Some(name)) if name == "MeshFormat" => Ok(()),
+        _ => Err(not_gmsh(scanner, start, rest)),
     }
-    Err(not_gmsh(scanner, rest))
 }
 
 /// The file starts with something else: tell what it looks like.
-fn not_gmsh(scanner: &Scanner, rest: &[u8]) -> Error {
+fn not_gmsh(scanner: &Scanner, start: usize, rest: &[u8]) -> Error {
     let line = rest.split(|&byte| byte == b'\n').next().unwrap_or_default().trim_ascii();
     let advice = if line.starts_with(b"<") {
         "it looks like XML; if it is a VTK file, name it .vtu"
@@ -85,10 +83,10 @@ fn not_gmsh(scanner: &Scanner, rest: &[u8]) -> Error {
     } else {
         "save the mesh with Gmsh as MSH 4.1 or 2.2"
     };
-    scanner.malformed(format!(
-        "not a Gmsh mesh: found {} where $MeshFormat was expected; {advice}",
-        quoted(line)
-    ))
+    scanner.malformed_at(
+        start,
+        format!("not a Gmsh mesh: found {} where $MeshFormat was expected; {advice}", quoted(line)),
+    )
 }
 
 fn version(scanner: &Scanner, start: usize, text: &[u8]) -> Result<Version, Error> {
@@ -112,14 +110,21 @@ fn unsupported_version(scanner: &Scanner, version: &str) -> Error {
 }
 
 /// Binary files hold the 32-bit number one to show their byte order.
-fn byte_order(scanner: &Scanner) -> Result<Encoding, Error> {
-    match scanner.rest().first_chunk::<4>() {
-        Some([1, 0, 0, 0]) => Ok(Encoding::LittleEndian),
-        Some([0, 0, 0, 1]) => Ok(Encoding::BigEndian),
-        Some(other) => Err(scanner.malformed(format!(
-            "found the bytes {other:02x?} where the number one was expected, which shows \
-             the byte order: the file is damaged, or was written as text"
-        ))),
-        None => Err(scanner.cut_off("the number one, which shows the byte order")),
+fn read_byte_order(scanner: &mut Scanner) -> Result<(), Error> {
+    scanner.encoding = Encoding::LittleEndian;
+    let start = scanner.position();
+    match scanner.int("the number one, which shows the byte order")? {
+        1 => Ok(()),
+        other if other.swap_bytes() == 1 => {
+            scanner.encoding = Encoding::BigEndian;
+            Ok(())
+        }
+        other => Err(scanner.malformed_at(
+            start,
+            format!(
+                "found {other} where the number one was expected, which shows the byte \
+                 order: the file is damaged, perhaps by a transfer as text"
+            ),
+        )),
     }
 }

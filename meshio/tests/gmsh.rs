@@ -188,7 +188,7 @@ fn node_and_element_data_become_fields() {
         assert!(values.len() == 12 && values[9..].iter().all(|value| value.is_nan()), "{name}");
         assert_eq!(
             notes,
-            ["the field \"heat flux\" has no value for 1 tets; they are NaN"],
+            ["the field \"heat flux\" has no value for 1 of 4 tets; it is NaN there"],
             "{name}"
         );
     }

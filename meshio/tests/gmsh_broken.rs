@@ -382,7 +382,7 @@ fn text_that_says_nonsense() {
         ),
         text(
             "elements first",
-            &TET_22
+            TET_22
                 .replace("Nodes", "X")
                 .replace("Elements", "Nodes")
                 .replace("$X", "$Elements")
@@ -391,7 +391,7 @@ fn text_that_says_nonsense() {
         ),
         text(
             "nodes twice",
-            &TET_22.replace("Elements", "Nodes"),
+            TET_22.replace("Elements", "Nodes"),
             &[":16: ", "second section $Nodes"],
         ),
         edit(

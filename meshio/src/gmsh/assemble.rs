@@ -67,8 +67,9 @@ fn fields(data: Vec<FieldStep>, owners: &str, notes: &mut Vec<String>) -> Vec<Fi
         }
         if missing > 0 {
             notes.push(format!(
-                "the field \"{}\" has no value for {missing} {owners}; they are NaN",
-                field.name
+                "the field \"{}\" has no value for {missing} of {} {owners}; it is NaN there",
+                field.name,
+                field.tuples()
             ));
         }
         fields.push(field);

@@ -68,6 +68,15 @@ pub fn read_nodes(
 }
 
 impl Elements {
+    /// Makes room for `count` elements, a number checked against the file's size.
+    pub fn reserve(&mut self, shape: Shape, count: usize) {
+        if shape == Shape::Tet {
+            self.tets.reserve(count);
+            self.tet_tags.reserve(count);
+            self.regions.reserve(count);
+        }
+    }
+
     /// Takes one element in. A negative group means: in that group, the other way round.
     pub fn add(&mut self, kind: &'static ElementType, tag: u64, nodes: &[u32], groups: &[i32]) {
         match (kind.shape, nodes) {

@@ -38,6 +38,11 @@ impl<'a> Scanner<'a> {
         &self.bytes[self.position..]
     }
 
+    /// Passes over some of the bytes that are left.
+    pub fn advance(&mut self, bytes: usize) {
+        self.position = (self.position + bytes).min(self.bytes.len());
+    }
+
     /// Where the next byte is, for [`Scanner::malformed_at`].
     pub fn position(&self) -> usize {
         self.position
@@ -67,8 +72,6 @@ impl<'a> Scanner<'a> {
     pub fn unsupported(&self, message: impl Into<String>) -> Error {
         Error::unsupported(self.path, message)
     }
-
-    // Numbers of bulk data, in the file's encoding.
 
     /// A 32-bit integer of bulk data.
     #[inline]
@@ -216,62 +219,6 @@ impl<'a> Scanner<'a> {
         let end = rest.iter().position(|&byte| byte <= b' ').unwrap_or(rest.len());
         &rest[..end]
     }
-
-    // Lines, which are text in binary files, too.
-
-    /// The next line without its end and without blanks around it.
-    pub fn line(&mut self, what: &str) -> Result<&'a [u8], Error> {
-        let rest = self.rest();
-        if rest.is_empty() {
-            return Err(self.cut_off(what));
-        }
-        let end = rest.iter().position(|&byte| byte == b'\n').unwrap_or(rest.len());
-        self.position = (self.position + end + 1).min(self.bytes.len());
-        Ok(rest[..end].trim_ascii())
-    }
-
-    /// A line that holds one number.
-    pub fn number_line<T: FromStr>(&mut self, what: &str) -> Result<T, Error> {
-        let start = self.position;
-        let line = self.line(what)?;
-        parse_text(line).ok_or_else(|| {
-            self.malformed_at(
-                start,
-                format!("found {} where {what} was expected, one number on a line", quoted(line)),
-            )
-        })
-    }
-
-    /// Skips blank lines.
-    pub fn skip_blank(&mut self) {
-        let rest = self.rest();
-        let blank = rest.iter().take_while(|byte| byte.is_ascii_whitespace()).count();
-        self.position += blank;
-    }
-
-    /// Moves behind the next line that is exactly `marker`; binary data may come before it.
-    pub fn skip_past_line(&mut self, marker: &str) -> Result<(), Error> {
-        let rest = self.rest();
-        let mut from = 0;
-        while let Some(found) = rest[from..].iter().position(|&byte| byte == b'$') {
-            let at = from + found;
-            from = at + 1;
-            let starts_line = at == 0 || rest[at - 1] == b'\n';
-            if let Some(tail) = rest[at..].strip_prefix(marker.as_bytes())
-                && starts_line
-                && only_blanks(tail)
-            {
-                self.position += at + marker.len();
-                return Ok(());
-            }
-        }
-        Err(self.cut_off(&format!("the line {marker}")))
-    }
-}
-
-/// Whether the line that `text` starts with holds blanks only.
-fn only_blanks(text: &[u8]) -> bool {
-    matches!(text.iter().find(|byte| !matches!(byte, b' ' | b'\t' | b'\r')), None | Some(b'\n'))
 }
 
 /// A piece of the file as a message can show it: short, printable, in quotes.

@@ -1,9 +1,60 @@
-//! Finding where sections start and end.
+//! Lines and the sections that they start and end: text in binary files, too.
 
-use super::scanner::{Scanner, quoted};
+use std::str::FromStr;
+
+use super::scanner::{Scanner, parse_text, quoted};
 use crate::Error;
 
-impl Scanner<'_> {
+impl<'a> Scanner<'a> {
+    /// The next line without its end and without blanks around it.
+    pub fn line(&mut self, what: &str) -> Result<&'a [u8], Error> {
+        let rest = self.rest();
+        if rest.is_empty() {
+            return Err(self.cut_off(what));
+        }
+        let end = rest.iter().position(|&byte| byte == b'\n').unwrap_or(rest.len());
+        self.advance(end + 1);
+        Ok(rest[..end].trim_ascii())
+    }
+
+    /// A line that holds one number.
+    pub fn number_line<T: FromStr>(&mut self, what: &str) -> Result<T, Error> {
+        let start = self.position();
+        let line = self.line(what)?;
+        parse_text(line).ok_or_else(|| {
+            self.malformed_at(
+                start,
+                format!("found {} where {what} was expected, one number on a line", quoted(line)),
+            )
+        })
+    }
+
+    /// Skips blank lines.
+    pub fn skip_blank(&mut self) {
+        let rest = self.rest();
+        let blank = rest.iter().take_while(|byte| byte.is_ascii_whitespace()).count();
+        self.advance(blank);
+    }
+
+    /// Moves behind the next line that is exactly `marker`; binary data may come before it.
+    pub fn skip_past_line(&mut self, marker: &str) -> Result<(), Error> {
+        let rest = self.rest();
+        let mut from = 0;
+        while let Some(found) = rest[from..].iter().position(|&byte| byte == b'$') {
+            let at = from + found;
+            from = at + 1;
+            let starts_line = at == 0 || rest[at - 1] == b'\n';
+            if let Some(tail) = rest[at..].strip_prefix(marker.as_bytes())
+                && starts_line
+                && only_blanks(tail)
+            {
+                self.advance(at + marker.len());
+                return Ok(());
+            }
+        }
+        Err(self.cut_off(&format!("the line {marker}")))
+    }
+
     /// The name of the next section without its `$`, or `None` at the end of the file.
     pub fn section(&mut self) -> Result<Option<String>, Error> {
         self.skip_blank();
@@ -38,4 +89,9 @@ impl Scanner<'_> {
             ),
         ))
     }
+}
+
+/// Whether the line that `text` starts with holds blanks only.
+fn only_blanks(text: &[u8]) -> bool {
+    matches!(text.iter().find(|byte| !matches!(byte, b' ' | b'\t' | b'\r')), None | Some(b'\n'))
 }

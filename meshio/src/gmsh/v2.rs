@@ -1,5 +1,6 @@
 //! Nodes and elements of MSH 2.2: each element carries its tags.
 
+use super::element_types::Shape;
 use super::elements::{Elements, element_type, read_nodes};
 use super::nodes::{NodeList, Nodes};
 use super::scanner::{Encoding, Scanner};
@@ -33,15 +34,13 @@ pub fn nodes(scanner: &mut Scanner) -> Result<Nodes, Error> {
 pub fn elements(scanner: &mut Scanner, nodes: &Nodes) -> Result<Elements, Error> {
     let place = scanner.position();
     let count: u64 = scanner.number_line("the number of elements")?;
+    let room = scanner.announced(place, count, 8, "elements")?;
     let mut elements = Elements::default();
+    // Most elements of a volume mesh are tets.
+    elements.reserve(Shape::Tet, room);
     if scanner.encoding == Encoding::Ascii {
-        let capacity = scanner.announced(place, count, 8, "elements")?;
-        elements.tets.reserve(capacity);
-        elements.tet_tags.reserve(capacity);
-        elements.regions.reserve(capacity);
         ascii_elements(scanner, nodes, count, &mut elements)?;
     } else {
-        scanner.announced(place, count, 8, "elements")?;
         binary_elements(scanner, nodes, count, &mut elements)?;
     }
     Ok(elements)

@@ -26,12 +26,12 @@ pub fn nodes(scanner: &mut Scanner) -> Result<Nodes, Error> {
 }
 
 fn node_block(scanner: &mut Scanner, list: &mut NodeList, least: usize) -> Result<(), Error> {
-    let dimension = scanner.int("the dimension of an entity")?;
+    let dimension = entity_dimension(scanner)?;
     scanner.int("the tag of an entity")?;
     let place = scanner.position();
     let parameters = match scanner.int("0 or 1 for parametric coordinates")? {
         0 => 0,
-        1 => dimension.clamp(0, 3),
+        1 => dimension,
         other => {
             return Err(scanner.malformed_at(
                 place,
@@ -93,7 +93,7 @@ fn element_block(
     entities: &Entities,
     elements: &mut Elements,
 ) -> Result<u64, Error> {
-    let dimension = scanner.int("the dimension of an entity")?;
+    let dimension = entity_dimension(scanner)?;
     let groups = entities.groups(dimension, scanner.int("the tag of an entity")?);
     let place = scanner.position();
     let code = scanner.int("an element type")?;
@@ -102,7 +102,8 @@ fn element_block(
     let count = scanner.size("the number of elements in a block")?;
     scanner.end_record("the start of the block")?;
     let least = if scanner.encoding == Encoding::Ascii { 2 } else { 8 } * (1 + kind.nodes);
-    scanner.announced(place, count, least - 1, "elements of a block")?;
+    let room = scanner.announced(place, count, least - 1, "elements of a block")?;
+    elements.reserve(kind.shape, room);
     let mut numbers = Vec::with_capacity(kind.nodes);
     for _ in 0..count {
         let tag = scanner.size("an element tag")?;
@@ -110,6 +111,16 @@ fn element_block(
         elements.add(kind, tag, &numbers, groups);
     }
     Ok(count)
+}
+
+fn entity_dimension(scanner: &mut Scanner) -> Result<i32, Error> {
+    let place = scanner.position();
+    let dimension = scanner.int("the dimension of an entity")?;
+    if (0..=3).contains(&dimension) {
+        return Ok(dimension);
+    }
+    Err(scanner
+        .malformed_at(place, format!("the dimension of an entity is {dimension}; expected 0 to 3")))
 }
 
 fn section_header(scanner: &mut Scanner) -> Result<SectionHeader, Error> {

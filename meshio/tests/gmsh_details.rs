@@ -1,0 +1,137 @@
+//! Details of the format, on meshes small enough to be written out here.
+
+use octruss_meshio::{Dataset, gmsh};
+
+fn read(bytes: &[u8]) -> Dataset {
+    gmsh::parse("small.msh".as_ref(), bytes).unwrap_or_else(|error| panic!("{error}"))
+}
+
+/// A 2.2 file with five nodes and these lines of elements.
+fn with_elements(elements: &[&str]) -> String {
+    format!(
+        "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n\
+         $Nodes\n5\n1 0 0 0\n2 1 0 0\n3 0 1 0\n4 0 0 1\n5 1 1 1\n$EndNodes\n\
+         $Elements\n{}\n{}\n$EndElements\n",
+        elements.len(),
+        elements.join("\n")
+    )
+}
+
+/// One tet of group 7 as MSH 4.1, binary, numbers by these functions.
+fn binary_tet(
+    int: fn(i32) -> [u8; 4],
+    size: fn(u64) -> [u8; 8],
+    double: fn(f64) -> [u8; 8],
+) -> Vec<u8> {
+    let ints = |values: &[i32]| values.iter().flat_map(|&value| int(value)).collect::<Vec<u8>>();
+    let sizes = |values: &[u64]| values.iter().flat_map(|&value| size(value)).collect::<Vec<u8>>();
+    let doubles = |values: &[f64]| values.iter().flat_map(|&v| double(v)).collect::<Vec<u8>>();
+    [
+        b"$MeshFormat\n4.1 1 8\n".to_vec(),
+        ints(&[1]),
+        b"\n$EndMeshFormat\n$Entities\n".to_vec(),
+        sizes(&[0, 0, 0, 1]),
+        ints(&[1]),
+        doubles(&[0.0, 0.0, 0.0, 1.0, 1.0, 1.0]),
+        sizes(&[1]),
+        ints(&[7]),
+        sizes(&[0]),
+        b"\n$EndEntities\n$Nodes\n".to_vec(),
+        sizes(&[1, 4, 1, 4]),
+        ints(&[3, 1, 0]),
+        sizes(&[4, 1, 2, 3, 4]),
+        doubles(&[0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.5]),
+        b"\n$EndNodes\n$Elements\n".to_vec(),
+        sizes(&[1, 1, 1, 1]),
+        ints(&[3, 1, 4]),
+        sizes(&[1, 1, 1, 2, 3, 4]),
+        b"\n$EndElements\n".to_vec(),
+    ]
+    .concat()
+}
+
+#[test]
+fn either_byte_order() {
+    let little = read(&binary_tet(i32::to_le_bytes, u64::to_le_bytes, f64::to_le_bytes));
+    let big = read(&binary_tet(i32::to_be_bytes, u64::to_be_bytes, f64::to_be_bytes));
+    assert_eq!(little.mesh.tets, [[0, 1, 2, 3]]);
+    assert_eq!(little.mesh.regions, [7]);
+    assert_eq!(little.mesh.points[3], [0.0, 0.0, 1.5]);
+    assert_eq!(big, little);
+}
+
+#[test]
+fn elements_without_a_group() {
+    // Group 0, and no tags at all.
+    let mesh = read(
+        with_elements(&["1 4 2 0 1 1 2 3 4", "2 4 0 2 3 4 5", "3 2 2 0 1 1 2 3", "4 15 0 5"])
+            .as_bytes(),
+    )
+    .mesh;
+    assert_eq!(mesh.tets, [[0, 1, 2, 3], [1, 2, 3, 4]]);
+    assert_eq!(mesh.regions, [0, 0]);
+    assert!(mesh.triangles.is_empty() && mesh.vertices.is_empty());
+    assert_eq!(mesh.points.len(), 5);
+}
+
+#[test]
+fn a_tet_twice_in_one_group_stays_a_duplicate() {
+    let file = with_elements(&[
+        "1 4 2 7 1 1 2 3 4",
+        "2 4 2 8 1 1 2 3 4",
+        "3 4 2 8 1 1 2 3 4",
+        "4 4 2 8 1 2 3 4 5",
+    ]);
+    let Dataset { mesh, notes, .. } = read(file.as_bytes());
+    assert_eq!(mesh.tets, [[0, 1, 2, 3], [0, 1, 2, 3], [1, 2, 3, 4]]);
+    assert_eq!(mesh.regions, [7, 8, 8]);
+    assert!(notes.len() == 1 && notes[0].starts_with("1 tets are in several"), "{notes:?}");
+}
+
+#[test]
+fn a_mid_side_node_that_is_a_corner_elsewhere_is_kept() {
+    // Node 2 is the middle of the second-order line 1–3 and a corner of the tet;
+    // node 5 is the middle of the line 2–3 only.
+    let file = with_elements(&["1 4 2 7 1 1 2 3 4", "2 8 2 5 1 1 3 2", "3 8 2 5 1 2 3 5"]);
+    let mesh = read(file.as_bytes()).mesh;
+    assert_eq!(mesh.points.len(), 4);
+    assert_eq!(mesh.edges.simplices, [[0, 2], [1, 2]]);
+}
+
+#[test]
+fn coordinates_that_are_not_finite_are_left_for_the_check() {
+    let file = with_elements(&["1 4 2 7 1 1 2 3 4"]).replace("5 1 1 1", "5 nan inf -1e400");
+    let point = read(file.as_bytes()).mesh.points[4];
+    assert!(point[0].is_nan());
+    assert_eq!(point[1..], [f64::INFINITY, f64::NEG_INFINITY]);
+}
+
+#[test]
+fn comments_hold_anything_and_unknown_sections_are_noted() {
+    let comment = "$Comments\n$Nodes\n-3\n$EndNodes\n$EndComments\n";
+    let unknown = "$Custom\n1 2 3\n$EndCustom\n";
+    let file = with_elements(&["1 4 2 7 1 1 2 3 4"]);
+    let file = format!("{comment}{file}{comment}{unknown}\n");
+    let Dataset { mesh, notes, .. } = read(file.as_bytes());
+    assert_eq!((mesh.points.len(), mesh.tets.len()), (5, 1));
+    assert_eq!(notes, ["the section $Custom was passed over"]);
+}
+
+#[test]
+fn line_ends_of_windows() {
+    let file = with_elements(&["1 4 2 7 1 1 2 3 4", "2 2 2 5 1 1 2 3"]);
+    assert_eq!(read(file.replace('\n', "\r\n").as_bytes()), read(file.as_bytes()));
+}
+
+#[test]
+fn time_steps_of_a_name_are_told_apart() {
+    let step = |step: u8| {
+        format!(
+            "$NodeData\n1\n\"T\"\n1\n0\n3\n{step}\n1\n5\n1 1\n2 2\n3 3\n4 4\n5 {step}\n$EndNodeData\n"
+        )
+    };
+    let file = with_elements(&["1 4 2 7 1 1 2 3 4"]) + &step(0) + &step(1) + &step(1);
+    let dataset = read(file.as_bytes());
+    let names: Vec<&str> = dataset.point_fields.iter().map(|field| field.name.as_str()).collect();
+    assert_eq!(names, ["T", "T (step 1)", "T (step 1)'"]);
+}

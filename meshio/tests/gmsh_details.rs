@@ -75,6 +75,16 @@ fn elements_without_a_group() {
 }
 
 #[test]
+fn named_groups_that_no_element_is_in_are_noted() {
+    let names = "$PhysicalNames\n1\n3 7 \"solid\"\n$EndPhysicalNames\n";
+    let named =
+        |element: &str| with_elements(&[element]).replace("$Nodes", &format!("{names}$Nodes"));
+    let notes = read(named("1 4 2 0 1 1 2 3 4").as_bytes()).notes;
+    assert!(notes.len() == 1 && notes[0].contains("Mesh.SaveAll"), "{notes:?}");
+    assert!(read(named("1 4 2 7 1 1 2 3 4").as_bytes()).notes.is_empty());
+}
+
+#[test]
 fn a_tet_twice_in_one_group_stays_a_duplicate() {
     let file = with_elements(&[
         "1 4 2 7 1 1 2 3 4",

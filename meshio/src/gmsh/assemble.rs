@@ -23,7 +23,7 @@ pub struct Sections {
 /// Puts nodes, elements and the other sections together.
 pub fn dataset(nodes: Nodes, elements: Elements, sections: Sections) -> Dataset {
     let mut notes = sections.notes;
-    note_groups(&elements, &mut notes);
+    note_groups(&elements, &sections.groups, &mut notes);
     let point_fields = fields(sections.point_data, "nodes", &mut notes);
     let cell_fields = fields(sections.cell_data, "tets", &mut notes);
     let (second_order_tets, mid_side) = (elements.second_order_tets, elements.mid_side);
@@ -44,12 +44,23 @@ pub fn dataset(nodes: Nodes, elements: Elements, sections: Sections) -> Dataset 
     dataset
 }
 
-fn note_groups(elements: &Elements, notes: &mut Vec<String>) {
+fn note_groups(elements: &Elements, groups: &[Group], notes: &mut Vec<String>) {
     let several = elements.tets_in_several_groups;
     if several > 0 {
         notes.push(format!(
             "{several} tets are in several volume groups; the first one is their region, \
              and a tet that the file lists once for each was read once"
+        ));
+    }
+    let grouped = elements.regions.iter().any(|&region| region != 0)
+        || !elements.triangles.is_empty()
+        || !elements.edges.is_empty()
+        || !elements.vertices.is_empty();
+    if !groups.is_empty() && !grouped {
+        notes.push(format!(
+            "the file names {} groups, but no element is in one; in MSH 2.2 Gmsh leaves the \
+             groups of elements out if the option Mesh.SaveAll is 1",
+            groups.len()
         ));
     }
 }

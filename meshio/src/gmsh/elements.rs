@@ -49,8 +49,8 @@ pub fn element_type(
     })
 }
 
-/// Reads the node tags of one element of type `kind` into `corners`, as node numbers.
-#[inline]
+/// Reads the node tags of one element of type `kind` into `numbers`, as node numbers.
+#[inline(always)]
 pub fn read_nodes(
     scanner: &mut Scanner,
     nodes: &Nodes,
@@ -58,11 +58,11 @@ pub fn read_nodes(
     tag: impl Fn(&mut Scanner) -> Result<u64, Error>,
     numbers: &mut Vec<u32>,
 ) -> Result<(), Error> {
-    numbers.clear();
-    for _ in 0..kind.nodes {
+    numbers.resize(kind.nodes, 0);
+    for number in numbers.iter_mut() {
         let place = scanner.position();
         let tag = tag(scanner)?;
-        numbers.push(nodes.index(scanner, place, tag)?);
+        *number = nodes.index(scanner, place, tag)?;
     }
     scanner.end_record("the element")
 }

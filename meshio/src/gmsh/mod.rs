@@ -2,7 +2,7 @@
 //!
 //! The format is described in Gmsh's manual,
 //! <https://gmsh.info/doc/texinfo/gmsh.html#MSH-file-format>. A file is a
-//! sequence of sections; one [`Scanner`] reads numbers from text and binary
+//! sequence of sections; one scanner reads numbers from text and binary
 //! alike, so that each section is written once.
 
 mod assemble;

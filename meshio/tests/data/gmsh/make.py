@@ -97,11 +97,12 @@ def fields(binary, name, version):
 
 
 def partitioned():
-    """The coarse blocks in three parts, with the entities that parts add."""
+    """The coarse blocks in three parts, with the entities and ghosts that parts add."""
     open_model("blocks.geo")
     gmsh.option.setNumber("Mesh.MeshSizeMin", 0.9)
     gmsh.option.setNumber("Mesh.MeshSizeMax", 0.9)
     gmsh.model.mesh.generate(3)
+    gmsh.option.setNumber("Mesh.PartitionCreateGhostCells", 1)
     gmsh.model.mesh.partition(3)
     write("partitioned.msh", 4.1, 0)
     write("partitioned-binary.msh", 4.1, 1)

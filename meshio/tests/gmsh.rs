@@ -149,7 +149,8 @@ fn second_order_tets_are_read_as_linear_ones() {
         assert_eq!(tally(&mesh.triangles.tags), surfaces, "{name}");
         assert_eq!(tally(&mesh.edges.tags), [(7, 2)], "{name}");
         assert_block_volumes(&mesh);
-        let note = "170 second-order tets were read as linear ones, without 292 mid-side nodes";
+        let note = "second-order elements, 170 tets among them, were read as linear ones; \
+                    292 mid-side nodes were dropped";
         assert!(notes.iter().any(|line| line == note), "{notes:?}");
     }
 }

@@ -1,6 +1,6 @@
 //! Details of the format, on meshes small enough to be written out here.
 
-use octruss_meshio::{Dataset, gmsh};
+use octruss_meshio::{Dataset, Field, gmsh};
 
 fn read(bytes: &[u8]) -> Dataset {
     gmsh::parse("small.msh".as_ref(), bytes).unwrap_or_else(|error| panic!("{error}"))
@@ -101,11 +101,16 @@ fn a_tet_twice_in_one_group_stays_a_duplicate() {
 #[test]
 fn a_mid_side_node_that_is_a_corner_elsewhere_is_kept() {
     // Node 2 is the middle of the second-order line 1–3 and a corner of the tet;
-    // node 5 is the middle of the line 2–3 only.
-    let file = with_elements(&["1 4 2 7 1 1 2 3 4", "2 8 2 5 1 1 3 2", "3 8 2 5 1 2 3 5"]);
-    let mesh = read(file.as_bytes()).mesh;
-    assert_eq!(mesh.points.len(), 4);
+    // node 5, in the file the first, is the middle of the line 2–3 only.
+    let data =
+        "$NodeData\n1\n\"T\"\n1\n0\n3\n0\n1\n5\n5 50\n4 40\n3 30\n2 20\n1 10\n$EndNodeData\n";
+    let file = with_elements(&["1 4 2 7 1 1 2 3 4", "2 8 2 5 1 1 3 2", "3 8 2 5 1 2 3 5"]) + data;
+    let file = file.replace("5 1 1 1\n", "").replace("1 0 0 0\n", "5 1 1 1\n1 0 0 0\n");
+    let Dataset { mesh, point_fields, .. } = read(file.as_bytes());
+    assert_eq!(mesh.points, [[0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]]);
+    assert_eq!(mesh.tets, [[0, 1, 2, 3]]);
     assert_eq!(mesh.edges.simplices, [[0, 2], [1, 2]]);
+    assert_eq!(point_fields, [Field::scalar("T", vec![10.0, 20.0, 30.0, 40.0])]);
 }
 
 #[test]

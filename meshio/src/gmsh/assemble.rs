@@ -4,8 +4,9 @@ use octruss_mesh::{Group, RawMesh};
 
 use super::data::FieldStep;
 use super::elements::Elements;
+use super::mid_side;
 use super::nodes::Nodes;
-use crate::{Dataset, Field, Values};
+use crate::{Dataset, Field};
 
 /// What the sections of a file say.
 #[derive(Default)]
@@ -39,7 +40,11 @@ pub fn dataset(nodes: Nodes, elements: Elements, sections: Sections) -> Dataset 
     };
     let mut dataset = Dataset { mesh, point_fields, cell_fields, notes };
     if !mid_side.is_empty() {
-        drop_mid_side_nodes(&mut dataset, &mid_side, second_order_tets);
+        let dropped = mid_side::drop_nodes(&mut dataset, &mid_side);
+        dataset.notes.push(format!(
+            "second-order elements, {second_order_tets} tets among them, were read as linear \
+             ones; {dropped} mid-side nodes were dropped"
+        ));
     }
     dataset
 }
@@ -86,55 +91,4 @@ fn fields(data: Vec<FieldStep>, owners: &str, notes: &mut Vec<String>) -> Vec<Fi
         fields.push(field);
     }
     fields
-}
-
-/// Removes the nodes that only served as mid-side nodes, and their values.
-fn drop_mid_side_nodes(dataset: &mut Dataset, mid_side: &[u32], second_order_tets: usize) {
-    let mesh = &mut dataset.mesh;
-    let mut keep = vec![true; mesh.points.len()];
-    for &node in mid_side {
-        keep[node as usize] = false;
-    }
-    let corners = mesh.tets.as_flattened().iter();
-    let corners = corners.chain(mesh.triangles.simplices.as_flattened());
-    let corners = corners.chain(mesh.edges.simplices.as_flattened());
-    for &node in corners.chain(mesh.vertices.simplices.as_flattened()) {
-        keep[node as usize] = true;
-    }
-    let mut kept = 0;
-    let numbers: Vec<u32> = keep
-        .iter()
-        .map(|&keep| {
-            kept += u32::from(keep);
-            // Nodes to drop get a number, too, which nothing refers to.
-            kept.saturating_sub(1)
-        })
-        .collect();
-    for node in mesh
-        .tets
-        .as_flattened_mut()
-        .iter_mut()
-        .chain(mesh.triangles.simplices.as_flattened_mut())
-        .chain(mesh.edges.simplices.as_flattened_mut())
-        .chain(mesh.vertices.simplices.as_flattened_mut())
-    {
-        *node = numbers[*node as usize];
-    }
-    let all = mesh.points.len();
-    mesh.points = kept_tuples(&mesh.points, 1, &keep);
-    for field in &mut dataset.point_fields {
-        match &mut field.values {
-            Values::Float(values) => *values = kept_tuples(values, field.components, &keep),
-            Values::Integer(values) => *values = kept_tuples(values, field.components, &keep),
-        }
-    }
-    dataset.notes.push(format!(
-        "{second_order_tets} second-order tets were read as linear ones, without {} mid-side nodes",
-        all - kept as usize
-    ));
-}
-
-fn kept_tuples<T: Copy>(values: &[T], components: usize, keep: &[bool]) -> Vec<T> {
-    let tuples = values.chunks_exact(components).zip(keep);
-    tuples.filter(|&(_, &keep)| keep).flat_map(|(tuple, _)| tuple).copied().collect()
 }

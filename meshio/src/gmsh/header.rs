@@ -4,11 +4,10 @@ use super::scanner::{Encoding, Scanner, parse_text, quoted};
 use crate::Error;
 
 /// The layouts that are read.
-#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Version {
     /// 2.0 to 2.2: each element carries its tags.
     V2,
-    #[default]
     /// 4.1: nodes and elements in blocks, an entity each.
     V4,
 }

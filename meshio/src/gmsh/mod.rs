@@ -11,6 +11,7 @@ mod element_types;
 mod elements;
 mod entities;
 mod header;
+mod mid_side;
 mod names;
 mod nodes;
 mod scanner;
@@ -66,7 +67,7 @@ pub fn read(path: &Path) -> Result<Dataset, Error> {
 /// ```
 pub fn parse(path: &Path, bytes: &[u8]) -> Result<Dataset, Error> {
     let mut scanner = Scanner::new(path, bytes);
-    let mut reader = Reader { version: header::read(&mut scanner)?, ..Reader::default() };
+    let mut reader = Reader::new(header::read(&mut scanner)?);
     while let Some(name) = scanner.section()? {
         reader.section(&mut scanner, &name)?;
     }
@@ -76,7 +77,6 @@ pub fn parse(path: &Path, bytes: &[u8]) -> Result<Dataset, Error> {
 }
 
 /// The sections read so far.
-#[derive(Default)]
 struct Reader {
     version: Version,
     entities: Entities,
@@ -88,6 +88,17 @@ struct Reader {
 }
 
 impl Reader {
+    fn new(version: Version) -> Self {
+        Self {
+            version,
+            entities: Entities::default(),
+            nodes: None,
+            elements: None,
+            tets: None,
+            sections: Sections::default(),
+        }
+    }
+
     /// Reads the section `name` with its end.
     fn section(&mut self, scanner: &mut Scanner, name: &str) -> Result<(), Error> {
         match (name, self.version) {

@@ -1,0 +1,61 @@
+//! Dropping the nodes that second-order elements have besides their corners.
+
+use octruss_mesh::RawMesh;
+
+use crate::{Dataset, Values};
+
+/// Removes those of the `mid_side` nodes that are no corner of any simplex, and
+/// their values; returns how many. The others keep their order.
+pub fn drop_nodes(dataset: &mut Dataset, mid_side: &[u32]) -> usize {
+    let mesh = &mut dataset.mesh;
+    let mut keep = vec![true; mesh.points.len()];
+    for &node in mid_side {
+        keep[node as usize] = false;
+    }
+    for corners in corners(mesh) {
+        for &mut node in corners {
+            keep[node as usize] = true;
+        }
+    }
+    let numbers = new_numbers(&keep);
+    for corners in corners(mesh) {
+        for node in corners {
+            *node = numbers[*node as usize];
+        }
+    }
+    let before = mesh.points.len();
+    mesh.points = kept_tuples(&mesh.points, 1, &keep);
+    for field in &mut dataset.point_fields {
+        match &mut field.values {
+            Values::Float(values) => *values = kept_tuples(values, field.components, &keep),
+            Values::Integer(values) => *values = kept_tuples(values, field.components, &keep),
+        }
+    }
+    before - dataset.mesh.points.len()
+}
+
+/// The corners of all simplices, by dimension.
+fn corners(mesh: &mut RawMesh) -> [&mut [u32]; 4] {
+    [
+        mesh.tets.as_flattened_mut(),
+        mesh.triangles.simplices.as_flattened_mut(),
+        mesh.edges.simplices.as_flattened_mut(),
+        mesh.vertices.simplices.as_flattened_mut(),
+    ]
+}
+
+/// The number of each node among those kept; meaningless for the others.
+fn new_numbers(keep: &[bool]) -> Vec<u32> {
+    let mut next = 0;
+    let mut numbers = Vec::with_capacity(keep.len());
+    for &keep in keep {
+        numbers.push(next);
+        next += u32::from(keep);
+    }
+    numbers
+}
+
+fn kept_tuples<T: Copy>(values: &[T], components: usize, keep: &[bool]) -> Vec<T> {
+    let tuples = values.chunks_exact(components).zip(keep);
+    tuples.filter(|&(_, &keep)| keep).flat_map(|(tuple, _)| tuple).copied().collect()
+}

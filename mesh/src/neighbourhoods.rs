@@ -139,7 +139,7 @@ impl<'a> Neighbourhoods<'a> {
         }
         let link = self.cyclic_link(edge, other);
         let k = link.len();
-        if k % 2 == 0 {
+        if k.is_multiple_of(2) {
             vec![(link[k / 2], 1.0)]
         } else {
             vec![(link[k / 2], 0.5), (link[k / 2 + 1], 0.5)]
@@ -196,7 +196,7 @@ fn ring(mut links: Vec<[u32; 2]>, first: u32) -> Vec<u32> {
     let mut at = first;
     while let Some(found) = links.iter().position(|link| link.contains(&at)) {
         let [a, b] = links.swap_remove(found);
-        at = a ^ b ^ at;
+        at ^= a ^ b;
         if at == first {
             break;
         }

@@ -3,8 +3,7 @@
 use rayon::prelude::*;
 
 use crate::features::{FeatureOptions, prepare};
-use crate::scheme::Scheme;
-use crate::subdivide::{Refinement, SubdivideError, subdivide};
+use crate::subdivide::{Refinement, Step, SubdivideError, subdivide};
 use crate::subdivision_matrix::SubdivisionMatrix;
 use crate::tet_mesh::TetMesh;
 use crate::topology::Topology;
@@ -42,10 +41,9 @@ impl Hierarchy {
     ///
     /// # Errors
     /// As [`subdivide`]; the hierarchy then stays as it was.
-    pub fn subdivide(&mut self, scheme: Scheme) -> Result<(), SubdivideError> {
+    pub fn subdivide(&mut self, step: impl Into<Step>) -> Result<(), SubdivideError> {
         let (mesh, topology) = (self.finest(), &self.topologies[self.topologies.len() - 1]);
-        let (fine, fine_topology, refinement) =
-            subdivide(mesh, topology, scheme, self.meshes.len())?;
+        let (fine, fine_topology, refinement) = subdivide(mesh, topology, step, self.meshes.len())?;
         self.meshes.push(fine);
         self.topologies.push(fine_topology);
         self.refinements.push(refinement);

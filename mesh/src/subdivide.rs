@@ -6,6 +6,7 @@ use rayon::prelude::*;
 
 use crate::assemble_matrix::matrix_with;
 use crate::chunks::CHUNK;
+use crate::guard::{Guard, GuardReport};
 use crate::raw_mesh::{Features, RawMesh, Tagged};
 use crate::red_split::red_split;
 use crate::reference_tet::{CellState, six_volumes};
@@ -13,6 +14,23 @@ use crate::scheme::Scheme;
 use crate::subdivision_matrix::SubdivisionMatrix;
 use crate::tet_mesh::TetMesh;
 use crate::topology::{Topology, VertexEdges, ascending};
+
+/// What one subdivision step is asked to do. A scheme alone is a step without a
+/// guard.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Step {
+    /// Which weights.
+    pub scheme: Scheme,
+    /// Keep η above this by pulling rows back to the linear rule; `None` for
+    /// no guard. A tet whose parent is below keeps the parent's quality.
+    pub min_quality: Option<f64>,
+}
+
+impl From<Scheme> for Step {
+    fn from(scheme: Scheme) -> Self {
+        Self { scheme, min_quality: None }
+    }
+}
 
 /// How a fine mesh came from a coarse one by the red split.
 ///
@@ -23,6 +41,8 @@ pub struct Refinement {
     /// The scheme's matrix, n_fine × n_coarse: fine positions are matrix ×
     /// coarse positions.
     pub matrix: SubdivisionMatrix,
+    /// What the guard did, if the step had one.
+    pub guard: Option<GuardReport>,
 }
 
 impl Refinement {
@@ -82,17 +102,22 @@ fn list(numbers: &[u32]) -> String {
 pub fn subdivide(
     mesh: &TetMesh,
     topology: &Topology,
-    scheme: Scheme,
+    step: impl Into<Step>,
     level: usize,
 ) -> Result<(TetMesh, Topology, Refinement), SubdivideError> {
+    let Step { scheme, min_quality } = step.into();
     let coarse = mesh.raw();
     if 8 * coarse.tets.len() > MAX_TETS {
         return Err(SubdivideError::TooLarge { level, tets: 8 * coarse.tets.len() });
     }
     let vertex_edges = VertexEdges::new(topology);
-    let matrix = matrix_with(coarse, topology, &vertex_edges, scheme);
-    let points = matrix.apply(&coarse.points);
+    let mut matrix = matrix_with(coarse, topology, &vertex_edges, scheme);
+    let mut points = matrix.apply(&coarse.points);
     let split = red_split(&coarse.tets, topology, &vertex_edges);
+    let guard = min_quality.map(|floor| {
+        let guard = Guard { floor, coarse, coarse_edges: topology.edges(), fine_tets: &split.tets };
+        guard.apply(&mut matrix, &mut points)
+    });
     refuse_inverted(&points, &split.tets, level)?;
     let fine = RawMesh {
         points,
@@ -100,7 +125,7 @@ pub fn subdivide(
         tets: split.tets,
         ..split_tags(coarse, topology)
     };
-    Ok((TetMesh::trusted(fine), split.topology, Refinement { matrix }))
+    Ok((TetMesh::trusted(fine), split.topology, Refinement { matrix, guard }))
 }
 
 fn refuse_inverted(

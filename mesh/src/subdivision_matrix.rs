@@ -74,6 +74,12 @@ impl SubdivisionMatrix {
         (&self.columns[range.clone()], &self.weights[range])
     }
 
+    /// The columns of one row and its weights, for changing them.
+    pub(crate) fn row_mut(&mut self, row: usize) -> (&[u32], &mut [f64]) {
+        let range = self.offsets[row] as usize..self.offsets[row + 1] as usize;
+        (&self.columns[range.clone()], &mut self.weights[range])
+    }
+
     /// Applies the step to points: one point a coarse vertex in, one a fine vertex out.
     pub fn apply<const N: usize>(&self, coarse: &[[f64; N]]) -> Vec<[f64; N]> {
         debug_assert_eq!(coarse.len(), self.coarse_vertices);

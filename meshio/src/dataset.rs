@@ -60,4 +60,62 @@ impl Field {
     pub fn tuples(&self) -> usize {
         self.values.len() / self.components.max(1)
     }
+
+    /// The field on the tuples `kept` alone, in their order.
+    pub(crate) fn subset(&self, kept: &[usize]) -> Self {
+        fn pick<T: Copy>(values: &[T], components: usize, kept: &[usize]) -> Vec<T> {
+            let tuple = |&t: &usize| values[t * components..(t + 1) * components].iter().copied();
+            kept.iter().flat_map(tuple).collect()
+        }
+        let values = match &self.values {
+            Values::Float(values) => Values::Float(pick(values, self.components, kept)),
+            Values::Integer(values) => Values::Integer(pick(values, self.components, kept)),
+        };
+        Self { name: self.name.clone(), components: self.components, values }
+    }
+}
+
+impl Dataset {
+    /// Whether all lists have the lengths that belong together, and names tell
+    /// fields apart; writers ask before they write. The error says which do not.
+    pub(crate) fn check_lengths(&self) -> Result<(), String> {
+        let mesh = &self.mesh;
+        for (what, tags, simplices) in [
+            ("regions for the tets", mesh.regions.len(), mesh.tets.len()),
+            ("tags for the triangles", mesh.triangles.tags.len(), mesh.triangles.len()),
+            ("tags for the edges", mesh.edges.tags.len(), mesh.edges.len()),
+            ("tags for the vertices", mesh.vertices.tags.len(), mesh.vertices.len()),
+        ] {
+            if tags != simplices {
+                return Err(format!("there are {tags} {what}, which are {simplices}"));
+            }
+        }
+        check_fields(&self.point_fields, mesh.points.len(), "points")?;
+        check_fields(&self.cell_fields, mesh.tets.len(), "tets")
+    }
+}
+
+fn check_fields(fields: &[Field], tuples: usize, of: &str) -> Result<(), String> {
+    let mut names: Vec<&str> = fields.iter().map(|field| field.name.as_str()).collect();
+    names.sort_unstable();
+    if let Some(pair) = names.windows(2).find(|pair| pair[0] == pair[1]) {
+        return Err(format!("two fields of the {of} are called `{}`; rename one", pair[0]));
+    }
+    for Field { name, components, values } in fields {
+        if *components == 0 || Some(values.len()) != components.checked_mul(tuples) {
+            return Err(format!(
+                "the field `{name}` has {} values, not {components} for each of {tuples} {of}",
+                values.len()
+            ));
+        }
+    }
+    Ok(())
+}
+
+/// A field may not have the name of an array that the file has anyway.
+pub(crate) fn refuse_name(fields: &[Field], taken: &str) -> Result<(), String> {
+    if fields.iter().any(|field| field.name == taken) {
+        return Err(format!("a field is called `{taken}`, which has its own meaning; rename it"));
+    }
+    Ok(())
 }

@@ -1,0 +1,163 @@
+//! Tags, names and features as named arrays beside the cells.
+//!
+//! A grid of tets has no room for tagged triangles, so they go, like all else
+//! that is neither points, tets nor fields, into arrays that belong to the file
+//! as a whole. Their names start with [`PREFIX`]; what is empty is not written,
+//! except for features, where empty differs from unknown.
+
+use std::borrow::Cow;
+
+use bytemuck::cast_slice;
+use octruss_mesh::{Features, Group, RawMesh, Tagged};
+
+use crate::problem::Problem;
+
+/// How our own arrays' names start.
+pub(crate) const PREFIX: &str = "octruss:";
+
+/// An array of numbers or strings to be written.
+pub(crate) struct SideArray<'a> {
+    /// Behind the prefix.
+    pub(crate) name: &'static str,
+    pub(crate) components: usize,
+    pub(crate) content: SideContent<'a>,
+}
+
+/// What it holds.
+pub(crate) enum SideContent<'a> {
+    /// Vertex numbers.
+    Vertices(&'a [u32]),
+    /// Group ids or dimensions.
+    Ids(Cow<'a, [i32]>),
+    Names(Vec<&'a str>),
+}
+
+/// Where the arrays of a file are looked up, by the name behind the prefix.
+pub(crate) trait SideArrays {
+    /// The vertex numbers in an array, which has `components` a tuple; `None`
+    /// if there is no such array.
+    fn vertices(&self, name: &str, components: usize) -> Result<Option<Vec<u32>>, Problem>;
+    /// The ids in an array.
+    fn ids(&self, name: &str) -> Result<Option<Vec<i32>>, Problem>;
+    /// The strings in an array.
+    fn names(&self, name: &str) -> Result<Option<Vec<String>>, Problem>;
+}
+
+/// The arrays that hold the groups of a mesh.
+pub(crate) fn group_arrays(groups: &[Group]) -> Vec<SideArray<'_>> {
+    if groups.is_empty() {
+        return Vec::new();
+    }
+    let dimensions = groups.iter().map(|group| i32::from(group.dimension)).collect();
+    let ids = groups.iter().map(|group| group.id).collect();
+    let names = groups.iter().map(|group| group.name.as_str()).collect();
+    [
+        ("group_dimensions", SideContent::Ids(dimensions)),
+        ("group_ids", SideContent::Ids(ids)),
+        ("group_names", SideContent::Names(names)),
+    ]
+    .map(|(name, content)| SideArray { name, components: 1, content })
+    .into()
+}
+
+/// The arrays that hold all of a mesh besides points, tets and regions.
+pub(crate) fn mesh_arrays(mesh: &RawMesh) -> Vec<SideArray<'_>> {
+    let mut arrays = group_arrays(&mesh.groups);
+    push_tagged(&mut arrays, ["triangles", "triangle_tags"], &mesh.triangles);
+    push_tagged(&mut arrays, ["edges", "edge_tags"], &mesh.edges);
+    push_tagged(&mut arrays, ["vertices", "vertex_tags"], &mesh.vertices);
+    if let Some(features) = &mesh.features {
+        arrays.extend([
+            SideArray {
+                name: "creases",
+                components: 2,
+                content: SideContent::Vertices(cast_slice(&features.creases)),
+            },
+            SideArray {
+                name: "corners",
+                components: 1,
+                content: SideContent::Vertices(&features.corners),
+            },
+            SideArray {
+                name: "feature_surfaces",
+                components: 1,
+                content: SideContent::Ids(Cow::Borrowed(&features.surfaces)),
+            },
+        ]);
+    }
+    arrays
+}
+
+fn push_tagged<'a, const N: usize>(
+    arrays: &mut Vec<SideArray<'a>>,
+    [simplices, tags]: [&'static str; 2],
+    tagged: &'a Tagged<N>,
+) {
+    if !tagged.is_empty() {
+        let vertices = SideContent::Vertices(tagged.simplices.as_flattened());
+        let ids = SideContent::Ids(Cow::Borrowed(&tagged.tags));
+        arrays.push(SideArray { name: simplices, components: N, content: vertices });
+        arrays.push(SideArray { name: tags, components: 1, content: ids });
+    }
+}
+
+/// Restores what [`mesh_arrays`] wrote.
+pub(crate) fn restore(arrays: &impl SideArrays, mesh: &mut RawMesh) -> Result<(), Problem> {
+    mesh.groups.extend(groups(arrays)?);
+    extend_tagged(arrays, ["triangles", "triangle_tags"], &mut mesh.triangles)?;
+    extend_tagged(arrays, ["edges", "edge_tags"], &mut mesh.edges)?;
+    extend_tagged(arrays, ["vertices", "vertex_tags"], &mut mesh.vertices)?;
+    if let Some(creases) = arrays.vertices("creases", 2)? {
+        mesh.features = Some(Features {
+            creases: tuples(&creases),
+            corners: required(arrays.vertices("corners", 1)?, "corners")?,
+            surfaces: required(arrays.ids("feature_surfaces")?, "feature_surfaces")?,
+        });
+    }
+    Ok(())
+}
+
+fn groups(arrays: &impl SideArrays) -> Result<Vec<Group>, Problem> {
+    let Some(ids) = arrays.ids("group_ids")? else { return Ok(Vec::new()) };
+    let dimensions = required(arrays.ids("group_dimensions")?, "group_dimensions")?;
+    let names = required(arrays.names("group_names")?, "group_names")?;
+    if dimensions.len() != ids.len() || names.len() != ids.len() {
+        return Err(wrong(
+            "group_names",
+            format!("{} ids, {} dimensions, {} names", ids.len(), dimensions.len(), names.len()),
+        ));
+    }
+    let group = |((id, dimension), name)| match u8::try_from(dimension) {
+        Ok(dimension @ 0..=3) => Ok(Group { dimension, id, name }),
+        _ => Err(wrong("group_dimensions", format!("{dimension} is no dimension from 0 to 3"))),
+    };
+    ids.into_iter().zip(dimensions).zip(names).map(group).collect()
+}
+
+fn extend_tagged<const N: usize>(
+    arrays: &impl SideArrays,
+    [simplices, tags]: [&str; 2],
+    tagged: &mut Tagged<N>,
+) -> Result<(), Problem> {
+    let Some(vertices) = arrays.vertices(simplices, N)? else { return Ok(()) };
+    let ids = required(arrays.ids(tags)?, tags)?;
+    let simplices: Vec<[u32; N]> = tuples(&vertices);
+    if ids.len() != simplices.len() {
+        return Err(wrong(tags, format!("{} tags for {} simplices", ids.len(), simplices.len())));
+    }
+    tagged.simplices.extend(simplices);
+    tagged.tags.extend(ids);
+    Ok(())
+}
+
+fn tuples<const N: usize>(vertices: &[u32]) -> Vec<[u32; N]> {
+    vertices.as_chunks().0.to_vec()
+}
+
+fn required<T>(found: Option<T>, name: &str) -> Result<T, Problem> {
+    found.ok_or_else(|| wrong(name, "the array is missing, but others that need it are there"))
+}
+
+fn wrong(name: &str, message: impl Into<String>) -> Problem {
+    Problem::part(format!("array `{PREFIX}{name}`"), message)
+}

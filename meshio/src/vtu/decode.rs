@@ -119,7 +119,10 @@ impl<'a> Decoder<'a> {
         let length = section.bytes.len();
         let Some(rest) = usize::try_from(offset).ok().and_then(|start| section.bytes.get(start..))
         else {
-            return Err(format!("offset {offset} lies beyond the {length} bytes of the section"));
+            return Err(format!(
+                "offset {offset} lies beyond the {length} bytes of the section: \
+                 the file is cut off or damaged"
+            ));
         };
         if !section.base64 {
             return Ok(Cow::Borrowed(rest));

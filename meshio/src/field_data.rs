@@ -15,7 +15,7 @@ use crate::problem::Problem;
 /// How our own arrays' names start.
 pub(crate) const PREFIX: &str = "octruss:";
 
-/// An array of numbers or strings to be written.
+/// An array to be written.
 pub(crate) struct SideArray<'a> {
     /// Behind the prefix.
     pub(crate) name: &'static str,
@@ -29,7 +29,9 @@ pub(crate) enum SideContent<'a> {
     Vertices(&'a [u32]),
     /// Group ids or dimensions.
     Ids(Cow<'a, [i32]>),
-    Names(Vec<&'a str>),
+    /// Names in UTF-8, each ended by a zero byte. As numbers, not as VTK's
+    /// strings, which meshio cannot read.
+    Names(Vec<u8>),
 }
 
 /// Where the arrays of a file are looked up, by the name behind the prefix.
@@ -39,30 +41,44 @@ pub(crate) trait SideArrays {
     fn vertices(&self, name: &str, components: usize) -> Result<Option<Vec<u32>>, Problem>;
     /// The ids in an array.
     fn ids(&self, name: &str) -> Result<Option<Vec<i32>>, Problem>;
-    /// The strings in an array.
-    fn names(&self, name: &str) -> Result<Option<Vec<String>>, Problem>;
+    /// The bytes in an array.
+    fn bytes(&self, name: &str) -> Result<Option<Vec<u8>>, Problem>;
 }
 
-/// The arrays that hold the groups of a mesh.
-pub(crate) fn group_arrays(groups: &[Group]) -> Vec<SideArray<'_>> {
+/// The arrays that hold the groups of a mesh. The error is a name that cannot be held.
+pub(crate) fn group_arrays(groups: &[Group]) -> Result<Vec<SideArray<'_>>, String> {
     if groups.is_empty() {
-        return Vec::new();
+        return Ok(Vec::new());
     }
     let dimensions = groups.iter().map(|group| i32::from(group.dimension)).collect();
     let ids = groups.iter().map(|group| group.id).collect();
-    let names = groups.iter().map(|group| group.name.as_str()).collect();
-    [
+    let mut names = Vec::new();
+    for Group { name, .. } in groups {
+        if name.contains('\0') {
+            return Err(format!("the name {name:?} holds a zero character; rename it"));
+        }
+        names.extend_from_slice(name.as_bytes());
+        names.push(0);
+    }
+    let arrays = [
         ("group_dimensions", SideContent::Ids(dimensions)),
         ("group_ids", SideContent::Ids(ids)),
         ("group_names", SideContent::Names(names)),
-    ]
-    .map(|(name, content)| SideArray { name, components: 1, content })
-    .into()
+    ];
+    Ok(arrays.map(|(name, content)| SideArray { name, components: 1, content }).into())
+}
+
+/// The names in the bytes that [`group_arrays`] made; `None` if they are none.
+fn split_names(bytes: &[u8]) -> Option<Vec<String>> {
+    let Some(names) = bytes.strip_suffix(&[0]) else {
+        return bytes.is_empty().then(Vec::new);
+    };
+    names.split(|&byte| byte == 0).map(|name| String::from_utf8(name.to_vec()).ok()).collect()
 }
 
 /// The arrays that hold all of a mesh besides points, tets and regions.
-pub(crate) fn mesh_arrays(mesh: &RawMesh) -> Vec<SideArray<'_>> {
-    let mut arrays = group_arrays(&mesh.groups);
+pub(crate) fn mesh_arrays(mesh: &RawMesh) -> Result<Vec<SideArray<'_>>, String> {
+    let mut arrays = group_arrays(&mesh.groups)?;
     push_tagged(&mut arrays, ["triangles", "triangle_tags"], &mesh.triangles);
     push_tagged(&mut arrays, ["edges", "edge_tags"], &mesh.edges);
     push_tagged(&mut arrays, ["vertices", "vertex_tags"], &mesh.vertices);
@@ -85,7 +101,7 @@ pub(crate) fn mesh_arrays(mesh: &RawMesh) -> Vec<SideArray<'_>> {
             },
         ]);
     }
-    arrays
+    Ok(arrays)
 }
 
 fn push_tagged<'a, const N: usize>(
@@ -120,7 +136,8 @@ pub(crate) fn restore(arrays: &impl SideArrays, mesh: &mut RawMesh) -> Result<()
 fn groups(arrays: &impl SideArrays) -> Result<Vec<Group>, Problem> {
     let Some(ids) = arrays.ids("group_ids")? else { return Ok(Vec::new()) };
     let dimensions = required(arrays.ids("group_dimensions")?, "group_dimensions")?;
-    let names = required(arrays.names("group_names")?, "group_names")?;
+    let names = split_names(&required(arrays.bytes("group_names")?, "group_names")?)
+        .ok_or_else(|| wrong("group_names", "a name is not UTF-8 or not ended by a zero byte"))?;
     if dimensions.len() != ids.len() || names.len() != ids.len() {
         return Err(wrong(
             "group_names",

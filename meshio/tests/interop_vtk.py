@@ -55,13 +55,9 @@ def dump(path):
     yield line("mesh", "types", numpy.array(types, dtype=int))
     for where, data in [("point", grid.GetPointData()), ("cell", grid.GetCellData()), ("file", grid.GetFieldData())]:
         for index in range(data.GetNumberOfArrays()):
-            array = data.GetAbstractArray(index)
-            if isinstance(array, vtk.vtkStringArray):
-                for number in range(array.GetNumberOfValues()):
-                    yield "\t".join([where, f"{array.GetName()}[{number}]", "1", array.GetValue(number)])
-            else:
-                values = vtk_to_numpy(array) if array.GetNumberOfValues() else numpy.zeros(0, dtype=int)
-                yield line(where, array.GetName(), values)
+            array = data.GetArray(index)
+            values = vtk_to_numpy(array) if array.GetNumberOfValues() else numpy.zeros(0, dtype=int)
+            yield line(where, array.GetName(), values)
 
 
 def dump_meshio(path):
@@ -97,16 +93,16 @@ def convert(path, folder):
                     writer.SetFileName(f"{folder}/vtk-{name}-{compressor}-{width}-{order}.vtu")
                     writer.Write()
     for version in (42, 51):
-        for binary in (0, 1):
+        for file_type, mode in ((1, "ascii"), (2, "binary")):
             bare = vtk.vtkUnstructuredGrid()
             bare.DeepCopy(grid)
             # vtkio cannot read what belongs to the file as a whole.
             bare.GetFieldData().Initialize()
             writer = vtk.vtkUnstructuredGridWriter()
             writer.SetFileVersion(version)
-            writer.SetFileType(2 if binary else 1)
+            writer.SetFileType(file_type)
             writer.SetInputData(bare)
-            writer.SetFileName(f"{folder}/vtk-{version}-{binary}.vtk")
+            writer.SetFileName(f"{folder}/vtk-{version}-{mode}.vtk")
             writer.Write()
     mesh = meshio.read(path)
     mesh.write(f"{folder}/meshio-zlib.vtu")

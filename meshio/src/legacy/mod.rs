@@ -5,6 +5,7 @@
 //! triangles, edges and vertices are cells of their own behind the tets, and
 //! the cell array `region` holds the tag of every cell.
 
+mod dialect;
 mod names;
 mod read;
 mod write;

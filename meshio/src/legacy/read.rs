@@ -9,7 +9,7 @@ use vtkio::model::{
     Vtk,
 };
 
-use super::names;
+use super::{dialect, names};
 use crate::dataset::{Dataset, Field, Values};
 use crate::error::{Error, Place};
 use crate::format::Format;
@@ -24,7 +24,8 @@ use crate::problem::Problem;
 /// [`Error::Io`]; [`Error::Malformed`] with the byte from which on the file
 /// cannot be understood; [`Error::Unsupported`] for other kinds of data and cells.
 pub fn read(path: &Path) -> Result<Dataset, Error> {
-    let bytes = std::fs::read(path).map_err(|source| Error::io(path, source))?;
+    let mut bytes = std::fs::read(path).map_err(|source| Error::io(path, source))?;
+    dialect::respell(&mut bytes);
     parse(&bytes).map_err(|problem| problem.of(path))
 }
 

@@ -97,8 +97,7 @@ pub(crate) fn array<'a>(attributes: &Attributes) -> Result<ArrayTag<'a>, Problem
     let name = attributes.get("Name").unwrap_or_default().to_string();
     let part = format!("array `{name}`");
     let kind = match attributes.get("type") {
-        Some("String") => ArrayKind::Strings,
-        Some("Bit") => ArrayKind::Bits,
+        Some("String" | "Bit") => ArrayKind::Other,
         Some(other) => ArrayKind::Numbers(NumberType::named(other).ok_or_else(|| {
             Problem::part(
                 &part,

@@ -171,7 +171,7 @@ mod tests {
     #[test]
     fn blocks_come_back_for_lengths_round_the_block_size() {
         for length in [0, 1, BLOCK - 1, BLOCK, BLOCK + 1, 3 * BLOCK] {
-            let bytes: Vec<u8> = (0..length).map(|i| (i * i >> 7) as u8).collect();
+            let bytes: Vec<u8> = (0..length).map(|i| ((i * i) >> 7) as u8).collect();
             let packed = compress(&bytes, 1).unwrap();
             assert_eq!(packed[..8], (length.div_ceil(BLOCK) as u64).to_le_bytes());
             assert_eq!(unpack(Cow::Owned(packed), PACKING).unwrap(), bytes);

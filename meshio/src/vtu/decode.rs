@@ -68,35 +68,6 @@ impl<'a> Decoder<'a> {
         Ok(Numbers { part, kind, order: self.header.packing.order, content })
     }
 
-    /// The strings of a string array.
-    pub(crate) fn strings(&self, array: &'a ArrayTag<'a>) -> Result<Vec<String>, Problem> {
-        let refused = |message: &str| Problem::part(part(&array.name), message);
-        if array.kind != ArrayKind::Strings {
-            return Err(refused("the array should hold strings"));
-        }
-        let bytes = match self.content(array)? {
-            Content::Bytes(bytes) => bytes.into_owned(),
-            // Text lists the bytes as signed or unsigned numbers.
-            Content::Text(text) => text
-                .split_ascii_whitespace()
-                .map(|word| word.parse::<i16>().map(|code| code as u8))
-                .collect::<Result<_, _>>()
-                .map_err(|_| refused("the bytes of the strings are not numbers"))?,
-        };
-        let Some(bytes) = bytes.strip_suffix(&[0]) else {
-            return if bytes.is_empty() {
-                Ok(Vec::new())
-            } else {
-                Err(refused("the last string is not ended by a zero byte"))
-            };
-        };
-        bytes
-            .split(|&byte| byte == 0)
-            .map(|string| String::from_utf8(string.to_vec()))
-            .collect::<Result<_, _>>()
-            .map_err(|_| refused("a string is not UTF-8"))
-    }
-
     fn content(&self, array: &'a ArrayTag<'a>) -> Result<Content<'a>, Problem> {
         let packing = self.header.packing;
         let refused = |message: String| Problem::part(part(&array.name), message);

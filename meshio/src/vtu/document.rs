@@ -8,7 +8,6 @@ use std::path::Path;
 use bytemuck::cast_slice;
 
 use super::blocks;
-use super::header::ArrayKind;
 use super::number::NumberType;
 use crate::aside::write_aside;
 use crate::dataset::{Field, Values};
@@ -35,7 +34,7 @@ pub enum Compression {
 /// One array of a file, its bytes as they are in memory.
 pub(crate) struct Array<'a> {
     pub(crate) name: Cow<'a, str>,
-    pub(crate) kind: ArrayKind,
+    pub(crate) kind: NumberType,
     pub(crate) components: usize,
     pub(crate) tuples: usize,
     pub(crate) bytes: Cow<'a, [u8]>,
@@ -65,7 +64,7 @@ impl<'a> Array<'a> {
             Cow::Owned(values) => Cow::Owned(cast_slice(&values).to_vec()),
         };
         let tuples = bytes.len() / (kind.width() * components);
-        Self { name: name.into(), kind: ArrayKind::Numbers(kind), components, tuples, bytes }
+        Self { name: name.into(), kind, components, tuples, bytes }
     }
 
     /// The array of a field.
@@ -81,27 +80,16 @@ impl<'a> Array<'a> {
         }
     }
 
-    /// An array of the file as a whole. The error is a name that a file cannot hold.
-    pub(crate) fn side(array: SideArray<'a>) -> Result<Self, String> {
+    /// An array of the file as a whole.
+    pub(crate) fn side(array: SideArray<'a>) -> Self {
         let name = format!("{PREFIX}{}", array.name);
-        Ok(match array.content {
+        match array.content {
             SideContent::Vertices(v) => {
                 Self::numbers(name, NumberType::UInt32, array.components, v)
             }
             SideContent::Ids(ids) => Self::numbers(name, NumberType::Int32, array.components, ids),
-            SideContent::Names(names) => {
-                let mut bytes = Vec::new();
-                for name in &names {
-                    if name.contains('\0') {
-                        return Err(format!("the name {name:?} holds a zero character; rename it"));
-                    }
-                    bytes.extend_from_slice(name.as_bytes());
-                    bytes.push(0);
-                }
-                let (kind, tuples) = (ArrayKind::Strings, names.len());
-                Self { name: name.into(), kind, components: 1, tuples, bytes: bytes.into() }
-            }
-        })
+            SideContent::Names(bytes) => Self::numbers(name, NumberType::UInt8, 1, bytes),
+        }
     }
 }
 
@@ -171,17 +159,11 @@ impl<'a> Xml<'a> {
     fn list(&mut self, element: &str, arrays: &'a [Array<'a>], whole: bool) -> Result<(), String> {
         self.line(&format!("    <{element}>"));
         for array in arrays {
-            let (tag, kind) = match array.kind {
-                ArrayKind::Numbers(kind) => ("DataArray", kind.name()),
-                ArrayKind::Strings => ("Array", "String"),
-                ArrayKind::Bits => unreachable!("bits are not written"),
-            };
-            let mut line =
-                format!("      <{tag} type=\"{kind}\" Name=\"{}\"", escape(&array.name)?);
             // Writing to a String cannot fail.
-            if array.kind != ArrayKind::Strings {
-                let _ = write!(line, " NumberOfComponents=\"{}\"", array.components);
-            }
+            let mut line = String::from("      <DataArray");
+            let _ = write!(line, " type=\"{}\"", array.kind.name());
+            let _ = write!(line, " Name=\"{}\"", escape(&array.name)?);
+            let _ = write!(line, " NumberOfComponents=\"{}\"", array.components);
             if whole {
                 let _ = write!(line, " NumberOfTuples=\"{}\"", array.tuples);
             }

@@ -46,10 +46,8 @@ pub(crate) struct ArrayTag<'a> {
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum ArrayKind {
     Numbers(NumberType),
-    /// Strings, each ended by a zero byte.
-    Strings,
-    /// Packed bits.
-    Bits,
+    /// Strings or bits, which no field is made of.
+    Other,
 }
 
 /// Where the values of an array are.

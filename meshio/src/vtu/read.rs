@@ -243,7 +243,7 @@ impl SideArrays for FieldData<'_> {
         self.wholes(name, 1, "an id of 32 bits with sign")
     }
 
-    fn names(&self, name: &str) -> Result<Option<Vec<String>>, Problem> {
-        self.find(name).map(|array| self.decoder.strings(array)).transpose()
+    fn bytes(&self, name: &str) -> Result<Option<Vec<u8>>, Problem> {
+        self.wholes(name, 1, "a byte")
     }
 }

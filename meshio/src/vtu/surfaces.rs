@@ -77,11 +77,11 @@ impl Surfaces {
     }
 
     fn document(&self) -> Result<Document<'_>, String> {
-        let side = field_data::group_arrays(&self.groups);
+        let side = field_data::group_arrays(&self.groups)?;
         Ok(Document {
             points: self.points.len(),
             cells: self.triangles.len(),
-            field_data: side.into_iter().map(Array::side).collect::<Result<_, _>>()?,
+            field_data: side.into_iter().map(Array::side).collect(),
             point_data: self.fields.iter().map(Array::field).collect(),
             cell_data: vec![Array::numbers(SURFACE, Int32, 1, self.tags.as_slice())],
             positions: vec![positions(&self.points)],

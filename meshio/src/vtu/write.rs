@@ -38,11 +38,11 @@ fn document(dataset: &Dataset) -> Result<Document<'_>, String> {
     refuse_name(&dataset.cell_fields, REGION)?;
     let mesh = &dataset.mesh;
     let regions = Array::numbers(REGION, Int32, 1, mesh.regions.as_slice());
-    let side = field_data::mesh_arrays(mesh);
+    let side = field_data::mesh_arrays(mesh)?;
     Ok(Document {
         points: mesh.points.len(),
         cells: mesh.tets.len(),
-        field_data: side.into_iter().map(Array::side).collect::<Result<_, _>>()?,
+        field_data: side.into_iter().map(Array::side).collect(),
         point_data: dataset.point_fields.iter().map(Array::field).collect(),
         cell_data: [regions]
             .into_iter()

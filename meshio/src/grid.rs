@@ -3,7 +3,7 @@
 use bytemuck::allocation::try_cast_vec;
 
 use crate::dataset::{Dataset, Field, Values};
-use crate::midside;
+use crate::mid_side;
 use crate::problem::Problem;
 use octruss_mesh::RawMesh;
 
@@ -65,20 +65,25 @@ impl Grid {
         self.check_ends()?;
         let tags = self.take_tags()?;
         let mut dataset = Dataset::default();
-        let mut midside = Vec::new();
+        let mut mid_side_nodes = Vec::new();
         if self.types.iter().all(|&number| number == TET) {
             dataset.mesh.tets = quadruples(std::mem::take(&mut self.connectivity));
             dataset.mesh.regions = tags;
             dataset.cell_fields = self.cell_fields;
         } else {
-            let tets = self.sort_cells(&tags, &mut dataset.mesh, &mut midside);
+            let tets = self.sort_cells(&tags, &mut dataset.mesh, &mut mid_side_nodes);
             dataset.cell_fields = self.cell_fields.iter().map(|f| f.subset(&tets)).collect();
-            self.note_sorted(&tags, &midside);
+            self.note_untagged(&tags);
         }
         dataset.mesh.points = self.points;
         dataset.point_fields = self.point_fields;
         dataset.notes = self.notes;
-        midside::drop_unused(&mut dataset, &midside);
+        if !mid_side_nodes.is_empty() {
+            let dropped = mid_side::drop_nodes(&mut dataset, &mid_side_nodes);
+            dataset.notes.push(format!(
+                "Second-order cells were read as linear ones; {dropped} mid-side nodes were dropped."
+            ));
+        }
         Ok(dataset)
     }
 
@@ -154,15 +159,20 @@ impl Grid {
     }
 
     /// Puts every cell where it belongs; returns which cells are tets, and adds
-    /// the nodes of quadratic cells that are no corners to `midside`.
-    fn sort_cells(&self, tags: &[i32], mesh: &mut RawMesh, midside: &mut Vec<u32>) -> Vec<usize> {
+    /// the nodes of quadratic cells that are no corners to `mid_side_nodes`.
+    fn sort_cells(
+        &self,
+        tags: &[i32],
+        mesh: &mut RawMesh,
+        mid_side_nodes: &mut Vec<u32>,
+    ) -> Vec<usize> {
         let mut tets = Vec::new();
         let mut start = 0;
         for (cell, &number) in self.types.iter().enumerate() {
             let Some(kind) = CellType::numbered(number) else { continue };
             let nodes = &self.connectivity[start..start + kind.nodes];
             start += kind.nodes;
-            midside.extend_from_slice(&nodes[kind.corners..]);
+            mid_side_nodes.extend_from_slice(&nodes[kind.corners..]);
             match (nodes, tags[cell]) {
                 _ if kind.corners == 4 => {
                     tets.push(cell);
@@ -179,17 +189,14 @@ impl Grid {
         tets
     }
 
-    fn note_sorted(&mut self, tags: &[i32], midside: &[u32]) {
+    fn note_untagged(&mut self, tags: &[i32]) {
         let is_tet = |number| CellType::numbered(number).is_some_and(|kind| kind.corners == 4);
-        let untagged =
-            self.types.iter().zip(tags).filter(|&(&n, &tag)| tag == 0 && !is_tet(n)).count();
+        let cells = self.types.iter().zip(tags);
+        let untagged = cells.filter(|&(&number, &tag)| tag == 0 && !is_tet(number)).count();
         if untagged > 0 {
             self.notes.push(format!(
                 "{untagged} triangles, lines or vertices without a tag were left out."
             ));
-        }
-        if !midside.is_empty() {
-            self.notes.push("Second-order cells were read as their linear corners.".into());
         }
     }
 }

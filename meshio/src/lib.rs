@@ -24,7 +24,7 @@ pub mod vtu;
 
 mod field_data;
 mod grid;
-mod midside;
+mod mid_side;
 mod problem;
 
 pub use aside::write_aside;

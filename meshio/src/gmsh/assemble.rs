@@ -4,9 +4,8 @@ use octruss_mesh::{Group, RawMesh};
 
 use super::data::FieldStep;
 use super::elements::Elements;
-use super::mid_side;
 use super::nodes::Nodes;
-use crate::{Dataset, Field};
+use crate::{Dataset, Field, mid_side};
 
 /// What the sections of a file say.
 #[derive(Default)]

@@ -11,7 +11,6 @@ mod element_types;
 mod elements;
 mod entities;
 mod header;
-mod mid_side;
 mod names;
 mod nodes;
 mod scanner;

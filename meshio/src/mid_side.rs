@@ -5,22 +5,19 @@ use octruss_mesh::RawMesh;
 use crate::{Dataset, Values};
 
 /// Removes those of the `mid_side` nodes that are no corner of any simplex, and
-/// their values; returns how many. The others keep their order.
-pub fn drop_nodes(dataset: &mut Dataset, mid_side: &[u32]) -> usize {
+/// their values; returns how many. The others keep their order. Numbers beyond
+/// the points are left as they are, still beyond.
+pub(crate) fn drop_nodes(dataset: &mut Dataset, mid_side: &[u32]) -> usize {
     let mesh = &mut dataset.mesh;
     let mut keep = vec![true; mesh.points.len()];
-    for &node in mid_side {
-        keep[node as usize] = false;
-    }
+    mark(&mut keep, mid_side, false);
     for corners in corners(mesh) {
-        for &mut node in corners {
-            keep[node as usize] = true;
-        }
+        mark(&mut keep, corners, true);
     }
     let numbers = new_numbers(&keep);
     for corners in corners(mesh) {
         for node in corners {
-            *node = numbers[*node as usize];
+            *node = numbers.get(*node as usize).copied().unwrap_or(*node);
         }
     }
     let before = mesh.points.len();
@@ -32,6 +29,14 @@ pub fn drop_nodes(dataset: &mut Dataset, mid_side: &[u32]) -> usize {
         }
     }
     before - dataset.mesh.points.len()
+}
+
+fn mark(keep: &mut [bool], nodes: &[u32], kept: bool) {
+    for &node in nodes {
+        if let Some(slot) = keep.get_mut(node as usize) {
+            *slot = kept;
+        }
+    }
 }
 
 /// The corners of all simplices, by dimension.

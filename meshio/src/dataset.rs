@@ -90,6 +90,10 @@ impl Dataset {
                 return Err(format!("there are {tags} {what}, which are {simplices}"));
             }
         }
+        let states = mesh.features.as_ref().map_or(0, |features| features.cell_states.len());
+        if states != 0 && states != mesh.tets.len() {
+            return Err(format!("there are {states} states of cells for {} tets", mesh.tets.len()));
+        }
         check_fields(&self.point_fields, mesh.points.len(), "points")?;
         check_fields(&self.cell_fields, mesh.tets.len(), "tets")
     }

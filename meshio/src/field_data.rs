@@ -8,7 +8,7 @@
 use std::borrow::Cow;
 
 use bytemuck::cast_slice;
-use octruss_mesh::{Features, Group, RawMesh, Tagged};
+use octruss_mesh::{CellState, Features, Group, RawMesh, Tagged};
 
 use crate::problem::Problem;
 
@@ -29,9 +29,9 @@ pub(crate) enum SideContent<'a> {
     Vertices(&'a [u32]),
     /// Group ids or dimensions.
     Ids(Cow<'a, [i32]>),
-    /// Names in UTF-8, each ended by a zero byte. As numbers, not as VTK's
+    /// Small codes; or names in UTF-8, each ended by a zero byte: not VTK's own
     /// strings, which meshio cannot read.
-    Names(Vec<u8>),
+    Bytes(Vec<u8>),
 }
 
 /// Where the arrays of a file are looked up, by the name behind the prefix.
@@ -63,7 +63,7 @@ pub(crate) fn group_arrays(groups: &[Group]) -> Result<Vec<SideArray<'_>>, Strin
     let arrays = [
         ("group_dimensions", SideContent::Ids(dimensions)),
         ("group_ids", SideContent::Ids(ids)),
-        ("group_names", SideContent::Names(names)),
+        ("group_names", SideContent::Bytes(names)),
     ];
     Ok(arrays.map(|(name, content)| SideArray { name, components: 1, content }).into())
 }
@@ -100,8 +100,37 @@ pub(crate) fn mesh_arrays(mesh: &RawMesh) -> Result<Vec<SideArray<'_>>, String> 
                 content: SideContent::Ids(Cow::Borrowed(&features.surfaces)),
             },
         ]);
+        if !features.cell_states.is_empty() {
+            let codes = features.cell_states.iter().map(|&state| state_code(state)).collect();
+            let content = SideContent::Bytes(codes);
+            arrays.push(SideArray { name: "cell_states", components: 1, content });
+        }
     }
     Ok(arrays)
+}
+
+/// The states of cells; a file holds their position in this list.
+const CELL_STATES: [CellState; 3] =
+    [CellState::Tetrahedron, CellState::QuarterRoundX0X2, CellState::QuarterRoundX1X3];
+
+fn state_code(state: CellState) -> u8 {
+    match state {
+        CellState::Tetrahedron => 0,
+        CellState::QuarterRoundX0X2 => 1,
+        CellState::QuarterRoundX1X3 => 2,
+    }
+}
+
+fn cell_states(codes: Vec<u8>, tets: usize) -> Result<Vec<CellState>, Problem> {
+    if codes.len() != tets {
+        return Err(wrong("cell_states", format!("{} states for {tets} tets", codes.len())));
+    }
+    let state = |code: u8| CELL_STATES.get(usize::from(code)).copied();
+    codes
+        .into_iter()
+        .map(state)
+        .collect::<Option<_>>()
+        .ok_or_else(|| wrong("cell_states", "a state is not from 0 to 2"))
 }
 
 fn push_tagged<'a, const N: usize>(
@@ -128,6 +157,10 @@ pub(crate) fn restore(arrays: &impl SideArrays, mesh: &mut RawMesh) -> Result<()
             creases: tuples(&creases),
             corners: required(arrays.vertices("corners", 1)?, "corners")?,
             surfaces: required(arrays.ids("feature_surfaces")?, "feature_surfaces")?,
+            cell_states: match arrays.bytes("cell_states")? {
+                Some(codes) => cell_states(codes, mesh.tets.len())?,
+                None => Vec::new(),
+            },
         });
     }
     Ok(())

@@ -61,8 +61,12 @@ fn rich_dataset(cells: u32, parts: f64) -> Dataset {
     mesh.vertices.push([63], 9);
     mesh.groups.push(Group { dimension: 3, id: 1, name: "Gehäuse <a> & \"b\"".into() });
     mesh.groups.push(Group { dimension: 1, id: 4, name: String::new() });
-    mesh.features =
-        Some(Features { creases: vec![[0, 1], [1, 2]], corners: vec![], surfaces: vec![6] });
+    mesh.features = Some(Features {
+        creases: vec![[0, 1], [1, 2]],
+        corners: vec![],
+        surfaces: vec![6],
+        cell_states: vec![],
+    });
     let float = |count: usize| Values::Float((0..count).map(|i| i as f64 / parts - 3.0).collect());
     let whole = |count: usize| Values::Integer((0..count as i64).map(|i| (i - 9) << 40).collect());
     let (points, tets) = (mesh.points.len(), mesh.tets.len());

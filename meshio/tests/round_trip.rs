@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use octruss_mesh::{Features, Group, RawMesh, shapes};
+use octruss_mesh::{CellState, Features, Group, RawMesh, shapes};
 use octruss_meshio::vtu::{Compression, VtuOptions};
 use octruss_meshio::{Dataset, Error, Field, Format, Values, legacy, vtu, write_aside};
 
@@ -128,11 +128,18 @@ fn fields_come_back() {
 #[test]
 fn features_come_back_even_if_there_are_none() {
     let mut dataset = tagged_cube();
+    use CellState::{QuarterRoundX0X2, QuarterRoundX1X3, Tetrahedron};
+    let states = [Tetrahedron, QuarterRoundX0X2, QuarterRoundX1X3].repeat(16);
     for features in [
         None,
         Some(Features::default()),
-        Some(Features { creases: vec![[0, 1], [0, 3]], corners: vec![0, 5], surfaces: vec![2] }),
-        Some(Features { creases: vec![], corners: vec![7], surfaces: vec![] }),
+        Some(Features {
+            creases: vec![[0, 1], [0, 3]],
+            corners: vec![0, 5],
+            surfaces: vec![2],
+            cell_states: states,
+        }),
+        Some(Features { corners: vec![7], ..Features::default() }),
     ] {
         dataset.mesh.features = features;
         assert_round_trips(&dataset);

@@ -88,7 +88,7 @@ impl<'a> Array<'a> {
                 Self::numbers(name, NumberType::UInt32, array.components, v)
             }
             SideContent::Ids(ids) => Self::numbers(name, NumberType::Int32, array.components, ids),
-            SideContent::Names(bytes) => Self::numbers(name, NumberType::UInt8, 1, bytes),
+            SideContent::Bytes(bytes) => Self::numbers(name, NumberType::UInt8, 1, bytes),
         }
     }
 }

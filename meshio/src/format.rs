@@ -31,7 +31,7 @@ impl Format {
         }
     }
 
-    /// Whether [`write`] can write it; [`read`] reads all formats.
+    /// Whether [`write()`] can write it; [`read`] reads all formats.
     pub fn writes(self) -> bool {
         !matches!(self, Self::Gmsh)
     }

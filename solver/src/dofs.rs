@@ -1,0 +1,172 @@
+//! Which vertices carry an unknown and which a prescribed value.
+
+use crate::error::{Error, check_size};
+use crate::problem::{Scalar, check_surface};
+use octruss_mesh::TetMesh;
+
+/// Marks a vertex without an unknown.
+const NONE: u32 = u32::MAX;
+
+/// The free unknowns of a mesh, one a vertex, numbered by ascending vertex; and
+/// the values of all other vertices.
+///
+/// Vertices that no tet uses (of free-standing tagged triangles and edges)
+/// carry no unknown; their value is the prescribed one or 0.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Dofs {
+    /// The vertex of each unknown, ascending.
+    free: Vec<u32>,
+    /// The unknown of each vertex, or `NONE`.
+    unknowns: Vec<u32>,
+    /// The value of each vertex without an unknown; 0 for the others.
+    values: Vec<f64>,
+    /// How many vertices are fixed although tets use them.
+    fixed_count: usize,
+}
+
+impl Dofs {
+    /// The unknowns of `mesh` with values prescribed on surfaces; a vertex on
+    /// two surfaces takes the value of the last listed.
+    ///
+    /// # Errors
+    /// [`Error::UnknownSurface`] if a surface has no triangles,
+    /// [`Error::BoundaryValue`] if a prescribed value is not finite.
+    pub fn new(mesh: &TetMesh, fixed: &[(i32, Scalar)]) -> Result<Self, Error> {
+        let mut values = vec![0.0; mesh.points().len()];
+        let mut is_fixed = vec![false; mesh.points().len()];
+        for (surface, value) in fixed {
+            check_surface(mesh, *surface)?;
+            for vertex in surface_vertices(mesh, *surface) {
+                let at = vertex as usize;
+                values[at] = value.at(mesh.points()[at]);
+                is_fixed[at] = true;
+                if !values[at].is_finite() {
+                    let (surface, value) = (*surface, values[at]);
+                    return Err(Error::BoundaryValue { surface, vertex, value });
+                }
+            }
+        }
+        let mut in_tet = vec![false; mesh.points().len()];
+        for &vertex in mesh.tets().as_flattened() {
+            in_tet[vertex as usize] = true;
+        }
+        let is_free = |v: &u32| in_tet[*v as usize] && !is_fixed[*v as usize];
+        let free: Vec<u32> = (0..mesh.points().len() as u32).filter(is_free).collect();
+        let mut unknowns = vec![NONE; mesh.points().len()];
+        for (unknown, &vertex) in free.iter().enumerate() {
+            unknowns[vertex as usize] = unknown as u32;
+        }
+        let fixed_count = in_tet.iter().filter(|used| **used).count() - free.len();
+        Ok(Self { free, unknowns, values, fixed_count })
+    }
+
+    /// The number of unknowns.
+    pub fn unknowns(&self) -> usize {
+        self.free.len()
+    }
+
+    /// The number of vertices of the mesh.
+    pub fn vertices(&self) -> usize {
+        self.unknowns.len()
+    }
+
+    /// How many vertices of tets have a prescribed value.
+    pub fn fixed(&self) -> usize {
+        self.fixed_count
+    }
+
+    /// The vertex of each unknown, ascending.
+    pub fn free(&self) -> &[u32] {
+        &self.free
+    }
+
+    /// The unknown of a vertex, or `None` where the value is prescribed.
+    #[inline]
+    pub fn unknown(&self, vertex: u32) -> Option<u32> {
+        let unknown = self.unknowns[vertex as usize];
+        (unknown != NONE).then_some(unknown)
+    }
+
+    /// The prescribed value of a vertex without an unknown; 0 for the others.
+    #[inline]
+    pub fn value(&self, vertex: u32) -> f64 {
+        self.values[vertex as usize]
+    }
+
+    /// Whether all prescribed values are 0.
+    pub fn is_homogeneous(&self) -> bool {
+        self.values.iter().all(|v| *v == 0.0)
+    }
+
+    /// A value for each vertex: the unknowns `x` where free, prescribed ones
+    /// elsewhere.
+    ///
+    /// # Errors
+    /// [`Error::Size`] unless `x` has one entry for each unknown.
+    pub fn expand(&self, x: &[f64]) -> Result<Vec<f64>, Error> {
+        check_size("entries of a solution", x.len(), self.free.len())?;
+        let mut all = self.values.clone();
+        for (&vertex, &value) in self.free.iter().zip(x) {
+            all[vertex as usize] = value;
+        }
+        Ok(all)
+    }
+
+    /// Checks that every part of the mesh that `edges` connect has a fixed
+    /// vertex or no unknown at all.
+    pub(crate) fn check_anchored(
+        &self,
+        edges: impl Iterator<Item = [u32; 2]>,
+    ) -> Result<(), Error> {
+        let mut parts = Parts::new(self.vertices());
+        edges.for_each(|[a, b]| parts.join(a, b));
+        let mut anchored = vec![false; self.vertices()];
+        for vertex in 0..self.vertices() as u32 {
+            if self.unknown(vertex).is_none() {
+                anchored[parts.root(vertex) as usize] = true;
+            }
+        }
+        let loose = |v: &&u32| !anchored[parts.find(**v) as usize];
+        let Some(&example) = self.free.iter().find(loose) else { return Ok(()) };
+        let root = parts.find(example);
+        let vertices = self.free.iter().filter(|v| parts.find(**v) == root).count();
+        Err(Error::NothingFixed { vertices, example })
+    }
+}
+
+fn surface_vertices(mesh: &TetMesh, surface: i32) -> impl Iterator<Item = u32> {
+    mesh.triangles().iter().filter(move |(_, id)| *id == surface).flat_map(|(triangle, _)| triangle)
+}
+
+/// Disjoint sets of vertices; the root of a set is its smallest vertex.
+struct Parts {
+    parents: Vec<u32>,
+}
+
+impl Parts {
+    fn new(vertices: usize) -> Self {
+        Self { parents: (0..vertices as u32).collect() }
+    }
+
+    fn find(&self, mut vertex: u32) -> u32 {
+        while self.parents[vertex as usize] != vertex {
+            vertex = self.parents[vertex as usize];
+        }
+        vertex
+    }
+
+    /// As `find`, halving the path on its way.
+    fn root(&mut self, mut vertex: u32) -> u32 {
+        while self.parents[vertex as usize] != vertex {
+            let grandparent = self.parents[self.parents[vertex as usize] as usize];
+            self.parents[vertex as usize] = grandparent;
+            vertex = grandparent;
+        }
+        vertex
+    }
+
+    fn join(&mut self, a: u32, b: u32) {
+        let (a, b) = (self.root(a), self.root(b));
+        self.parents[a.max(b) as usize] = a.min(b);
+    }
+}

@@ -1,0 +1,161 @@
+//! Everything that can go wrong in this crate.
+
+use crate::report::Unfinished;
+
+/// Why a problem could not be assembled or a system not be solved.
+#[derive(Debug, thiserror::Error)]
+pub enum Error {
+    /// The three arrays do not form a sparse matrix.
+    #[error("malformed sparse matrix, row {row}: {what}")]
+    Malformed {
+        /// The first row at fault.
+        row: usize,
+        /// What must hold and does not.
+        what: &'static str,
+    },
+    /// Two things that belong together have different sizes.
+    #[error("{what}: found {found}, expected {expected}")]
+    Size {
+        /// Which number of what.
+        what: &'static str,
+        /// The size given.
+        found: usize,
+        /// The size that fits.
+        expected: usize,
+    },
+    /// An option has a value that makes no sense.
+    #[error("option `{option}`: {expected}")]
+    Option {
+        /// The option's name.
+        option: &'static str,
+        /// What it must satisfy.
+        expected: &'static str,
+    },
+    /// Boundary data name a surface without triangles.
+    #[error("no triangle belongs to surface {id}; surfaces of this mesh: {known:?}")]
+    UnknownSurface {
+        /// The id asked for.
+        id: i32,
+        /// The ids in use, ascending.
+        known: Vec<i32>,
+    },
+    /// A coefficient or source names a region without tets.
+    #[error("no tet belongs to region {id}; regions of this mesh: {known:?}")]
+    UnknownRegion {
+        /// The id asked for.
+        id: i32,
+        /// The ids in use, ascending.
+        known: Vec<i32>,
+    },
+    /// A coefficient is zero, negative, infinite or not a number.
+    #[error("the coefficient of tet {tet} in region {region} is {value}; it must be positive")]
+    Coefficient {
+        /// The smallest tet number at fault.
+        tet: usize,
+        /// Its region.
+        region: i32,
+        /// The value found.
+        value: f64,
+    },
+    /// A prescribed boundary value is infinite or not a number.
+    #[error("the value of surface {surface} at vertex {vertex} is {value}; it must be finite")]
+    BoundaryValue {
+        /// The surface that prescribes it.
+        surface: i32,
+        /// The first vertex at fault.
+        vertex: u32,
+        /// The value found.
+        value: f64,
+    },
+    /// A part of the mesh has no vertex with a prescribed value, so that the
+    /// solution there is determined up to a constant only.
+    #[error(
+        "nothing is fixed on a connected part of the mesh with {vertices} vertices, among them \
+         vertex {example}; prescribe a value on one of its surfaces"
+    )]
+    NothingFixed {
+        /// The size of the part.
+        vertices: usize,
+        /// Its smallest vertex number.
+        example: u32,
+    },
+    /// A matrix or vector holds an infinity or a NaN.
+    #[error("{what}, entry {index} is {value}; all numbers must be finite")]
+    NotFinite {
+        /// Which array.
+        what: &'static str,
+        /// The first entry at fault; for a matrix counted row by row.
+        index: usize,
+        /// The value found.
+        value: f64,
+    },
+    /// A level's diagonal is missing or not positive.
+    #[error("level {level}, row {row}: the diagonal is {value}; it must be positive")]
+    Diagonal {
+        /// 0 is the finest.
+        level: usize,
+        /// The first row at fault.
+        row: usize,
+        /// The value found, 0 where nothing is stored.
+        value: f64,
+    },
+    /// The coarsest level is too large for a direct solver.
+    #[error(
+        "the coarsest level has {unknowns} unknowns, a direct solver should get at most {limit}; \
+         begin with a coarser mesh"
+    )]
+    CoarsestTooLarge {
+        /// Unknowns on the coarsest level.
+        unknowns: usize,
+        /// The most that are accepted.
+        limit: usize,
+    },
+    /// Neither Cholesky nor LU factors of the coarsest matrix pass their test.
+    #[error(
+        "the coarsest matrix ({unknowns} unknowns) cannot be factored: Cholesky: {cholesky}; \
+         LU: {lu}; it is singular or nearly so"
+    )]
+    CoarsestSingular {
+        /// Unknowns on the coarsest level.
+        unknowns: usize,
+        /// What Cholesky said, or the relative residual of its test.
+        cholesky: String,
+        /// What LU said, or the relative residual of its test.
+        lu: String,
+    },
+    /// A direction p with p · A p ≤ 0 was met, or a preconditioner that is not
+    /// positive.
+    #[error("the {what} is not positive definite (iteration {})", .at.report.iterations)]
+    NotPositiveDefinite {
+        /// The matrix or the preconditioner.
+        what: &'static str,
+        /// What was reached.
+        at: Box<Unfinished>,
+    },
+    /// The iteration limit was reached.
+    #[error(
+        "no convergence: relative residual {:.3e} after {} iterations",
+        .0.report.relative_residual, .0.report.iterations
+    )]
+    NotConverged(Box<Unfinished>),
+    /// The progress callback asked to stop.
+    #[error(
+        "stopped on request: relative residual {:.3e} after {} iterations",
+        .0.report.relative_residual, .0.report.iterations
+    )]
+    Stopped(Box<Unfinished>),
+}
+
+/// Checks that all of `values` are finite.
+pub(crate) fn check_finite(what: &'static str, values: &[f64]) -> Result<(), Error> {
+    use rayon::prelude::*;
+    match values.par_iter().position_first(|v| !v.is_finite()) {
+        Some(index) => Err(Error::NotFinite { what, index, value: values[index] }),
+        None => Ok(()),
+    }
+}
+
+/// Checks that a size is the one that fits.
+pub(crate) fn check_size(what: &'static str, found: usize, expected: usize) -> Result<(), Error> {
+    if found == expected { Ok(()) } else { Err(Error::Size { what, found, expected }) }
+}

@@ -1,0 +1,27 @@
+//! What a solve did, also when it failed.
+
+/// Iterations, residuals and times of one solve.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct SolveReport {
+    /// Iterations done.
+    pub iterations: usize,
+    /// ‖b − A x‖ / ‖b‖ at the end, computed anew in double precision.
+    pub relative_residual: f64,
+    /// Relative residuals as the iteration saw them, the first before the
+    /// first iteration; one more than iterations.
+    pub residual_history: Vec<f64>,
+    /// Seconds spent on building the preconditioner.
+    pub setup_seconds: f64,
+    /// Seconds spent on iterating.
+    pub solve_seconds: f64,
+}
+
+/// What an iteration that did not reach its goal leaves behind.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Unfinished {
+    /// What was done and reached.
+    pub report: SolveReport,
+    /// The last iterate. Conjugate gradients decrease the energy norm of the
+    /// error in every iteration, so the last is the best.
+    pub iterate: Vec<f64>,
+}

@@ -55,9 +55,7 @@ impl<T: Real> Csr<T> {
         indices: Vec<u32>,
         values: Vec<T>,
     ) -> Self {
-        debug_assert!(
-            Self::new(columns, offsets.clone(), indices.clone(), values.clone()).is_ok()
-        );
+        debug_assert!(Self::new(columns, offsets.clone(), indices.clone(), values.clone()).is_ok());
         Self { columns, offsets, indices, values }
     }
 

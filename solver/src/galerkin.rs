@@ -115,3 +115,28 @@ fn mirror_upper(matrix: &Csr<f64>) -> Csr<f64> {
     });
     matrix.with_values(chunks.concat())
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::toy::{interpolation, second_difference, tridiagonal};
+    use crate::transpose::transpose;
+
+    #[test]
+    fn linear_interpolation_makes_half_the_second_difference() {
+        // One half row, two fine points apart: (−1, 2, −1) / 2, exact in binary.
+        for n in [1, 2, 7, 2000] {
+            let p = interpolation(n);
+            let coarse = galerkin(&second_difference(2 * n + 1), &p, &transpose(&p));
+            assert_eq!(coarse, tridiagonal(n, -0.5, 1.0));
+        }
+    }
+
+    #[test]
+    fn the_product_keeps_zeros_that_the_patterns_produce() {
+        let row = Csr::new(2, vec![0, 2], vec![0, 1], vec![1.0, -1.0]).unwrap();
+        let column = Csr::new(1, vec![0, 1, 2], vec![0, 0], vec![3.0, 3.0]).unwrap();
+        let product = multiply(&row, &column);
+        assert_eq!((product.nonzeros(), product.get(0, 0)), (1, Some(0.0)));
+    }
+}

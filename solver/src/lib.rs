@@ -1,1 +1,91 @@
-//! .
+//! From a mesh hierarchy to a solved system: P1 finite elements and geometric
+//! multigrid.
+//!
+//! ```text
+//! TetMesh, Poisson ──assemble──▶ System ─┐
+//! SubdivisionMatrix ──restrict_to_free──▶│──Multigrid──▶ conjugate_gradients ──▶ solution, SolveReport
+//! ```
+//!
+//! [`Multigrid`] knows matrices only, no mesh. Matrices are [`Csr`]: `u32`
+//! columns, double precision outside, single precision inside the cycle; all
+//! loops are parallel over fixed chunks of rows, so results have the same bits
+//! for any number of threads. Errors are values ([`Error`]) and carry what was
+//! reached.
+//!
+//! ```
+//! use octruss_mesh::{Topology, linear_matrix, shapes::kuhn_cube};
+//! use octruss_solver::*;
+//!
+//! let mesh = kuhn_cube(8);
+//! let problem = Poisson {
+//!     source: 1.0.into(),
+//!     fixed: (1..=6).map(|side| (side, 0.0.into())).collect(),
+//!     ..Poisson::default()
+//! };
+//! let system = assemble(&mesh, &Topology::new(mesh.raw()), &problem)?;
+//! let mut multigrid = Multigrid::new(&system.matrix, vec![], &MultigridOptions::default())?;
+//! let (x, report) =
+//!     conjugate_gradients(&system.matrix, &system.rhs, &mut multigrid, &SolveOptions::default())?;
+//! assert!(report.relative_residual <= 1e-8);
+//! // The middle of a unit cube with unit source is at 0.0562; this mesh is coarse.
+//! let middle = system.expand(&x)?.into_iter().fold(0.0, f64::max);
+//! assert!((middle - 0.0562).abs() < 0.003);
+//! # Ok::<(), octruss_solver::Error>(())
+//! ```
+
+mod assemble;
+mod cg;
+mod chebyshev;
+mod chunks;
+mod coarse;
+mod csr;
+mod cycle;
+mod dofs;
+mod dot;
+mod element;
+mod error;
+mod galerkin;
+mod gauss_seidel;
+pub mod kernels;
+mod level;
+mod load;
+mod multigrid;
+mod norms;
+mod options;
+mod preconditioner;
+mod problem;
+pub mod quadrature;
+mod random;
+mod real;
+mod report;
+mod rows;
+mod run;
+mod scatter;
+mod spectrum;
+mod stationary;
+mod summary;
+#[cfg(test)]
+mod toy;
+mod transfer;
+mod transpose;
+
+pub use assemble::{System, assemble};
+pub use cg::conjugate_gradients;
+pub use csr::Csr;
+pub use dofs::Dofs;
+pub use dot::{dot, norm};
+pub use error::Error;
+pub use galerkin::{galerkin, multiply};
+pub use multigrid::Multigrid;
+pub use norms::{h1_seminorm_error, l2_error};
+pub use options::{MultigridOptions, Precision, Smoother};
+pub use preconditioner::{Identity, Preconditioner};
+pub use problem::{ByRegion, Poisson, Scalar};
+pub use random::noise;
+pub use real::Real;
+pub use report::{SolveReport, Unfinished};
+pub use run::{Progress, SolveOptions};
+pub use stationary::{mean_reduction, stationary_iteration};
+pub use summary::LevelSummary;
+pub use transfer::restrict_to_free;
+pub use transpose::transpose;

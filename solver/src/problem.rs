@@ -103,12 +103,7 @@ pub struct Poisson {
 impl Default for Poisson {
     /// k = 1, f = 0, no boundary data.
     fn default() -> Self {
-        Self {
-            coefficient: 1.0.into(),
-            source: 0.0.into(),
-            fixed: Vec::new(),
-            flux: Vec::new(),
-        }
+        Self { coefficient: 1.0.into(), source: 0.0.into(), fixed: Vec::new(), flux: Vec::new() }
     }
 }
 

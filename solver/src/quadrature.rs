@@ -67,9 +67,8 @@ mod tests {
         for a in 0..=degree {
             for b in 0..=degree - a {
                 for c in 0..=degree - a - b {
-                    let exact = factorial(a) * factorial(b) * factorial(c)
-                        / factorial(a + b + c + 3)
-                        * 6.0;
+                    let exact =
+                        factorial(a) * factorial(b) * factorial(c) / factorial(a + b + c + 3) * 6.0;
                     let value: f64 = rule
                         .iter()
                         .map(|(l, w)| w * l[1].powi(a) * l[2].powi(b) * l[3].powi(c))

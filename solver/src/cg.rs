@@ -1,0 +1,136 @@
+//! The preconditioned conjugate gradient method (Hestenes and Stiefel 1952).
+
+use crate::chunks::for_chunks;
+use crate::csr::Csr;
+use crate::dot::{dot, norm};
+use crate::error::Error;
+use crate::kernels::{advance, product_dot, residual};
+use crate::preconditioner::Preconditioner;
+use crate::report::SolveReport;
+use crate::run::{Run, SolveOptions};
+
+/// Solves A x = b from zero for a symmetric positive definite A.
+///
+/// The residual of the recurrence drifts from the true one; when it is small
+/// enough the true one is computed, and the method restarts if that is not.
+///
+/// # Errors
+/// [`Error::NotPositiveDefinite`], [`Error::NotConverged`] and
+/// [`Error::Stopped`] carry history and last iterate; [`Error::NotFinite`],
+/// [`Error::Size`] and [`Error::Option`] come before the first iteration.
+pub fn conjugate_gradients(
+    matrix: &Csr<f64>,
+    rhs: &[f64],
+    preconditioner: &mut impl Preconditioner,
+    options: &SolveOptions<'_>,
+) -> Result<(Vec<f64>, SolveReport), Error> {
+    let mut run = Run::new(matrix, rhs, preconditioner.setup_seconds(), options)?;
+    let mut x = vec![0.0; rhs.len()];
+    if run.is_trivial() {
+        return Ok(run.finish(x));
+    }
+    let mut r = rhs.to_vec();
+    let [mut z, mut p, mut q] = std::array::from_fn(|_| vec![0.0; rhs.len()]);
+    let mut previous_rz = f64::INFINITY; // p = z in the first iteration
+    while run.may_go_on() {
+        preconditioner.apply(&r, &mut z);
+        let rz = dot(&r, &z);
+        if rz <= 0.0 || rz.is_nan() {
+            let what = "preconditioner";
+            return Err(Error::NotPositiveDefinite { what, at: run.unfinished(x) });
+        }
+        let keep = rz / previous_rz;
+        for_chunks(&mut p, |first, chunk| {
+            for (p, z) in chunk.iter_mut().zip(&z[first..]) {
+                *p = z + keep * *p;
+            }
+        });
+        let pq = product_dot(matrix, &p, &mut q);
+        if pq <= 0.0 || pq.is_nan() {
+            return Err(Error::NotPositiveDefinite { what: "matrix", at: run.unfinished(x) });
+        }
+        let residual_norm = advance(rz / pq, (&p, &q), &mut x, &mut r).sqrt();
+        let wish = run.record(residual_norm);
+        previous_rz = rz;
+        if run.is_small(residual_norm) {
+            residual(matrix, &x, rhs, &mut r);
+            if run.is_small(norm(&r)) {
+                return Ok(run.finish(x));
+            }
+            previous_rz = f64::INFINITY;
+        }
+        if wish.is_break() {
+            return Err(Error::Stopped(run.unfinished(x)));
+        }
+    }
+    Err(Error::NotConverged(run.unfinished(x)))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::preconditioner::Identity;
+    use crate::toy::{second_difference, tridiagonal};
+    use std::cell::Cell;
+    use std::ops::ControlFlow;
+
+    #[test]
+    fn n_iterations_solve_n_equations() {
+        // (−1, 2, −1) x = 1 has the solution x_i = i (n + 1 − i) / 2; the
+        // symmetric right-hand side needs half of the directions.
+        let (matrix, rhs) = (second_difference(20), vec![1.0; 20]);
+        let (x, report) =
+            conjugate_gradients(&matrix, &rhs, &mut Identity, &Default::default()).unwrap();
+        for (i, x) in x.iter().enumerate() {
+            assert!((x - (i + 1) as f64 * (20 - i) as f64 / 2.0).abs() < 1e-9);
+        }
+        assert_eq!(report.iterations, 10);
+        assert_eq!(report.residual_history.len(), 11);
+        assert!(report.relative_residual < 1e-8);
+    }
+
+    #[test]
+    fn a_zero_right_hand_side_needs_no_iteration() {
+        let (x, report) = conjugate_gradients(
+            &second_difference(5),
+            &[0.0; 5],
+            &mut Identity,
+            &Default::default(),
+        )
+        .unwrap();
+        assert_eq!((x, report.iterations, report.relative_residual), (vec![0.0; 5], 0, 0.0));
+    }
+
+    #[test]
+    fn failures_are_values_with_history() {
+        let solve = |matrix: &Csr<f64>, rhs: &[f64], options: &SolveOptions| {
+            conjugate_gradients(matrix, rhs, &mut Identity, options).unwrap_err()
+        };
+        let all = SolveOptions::default();
+        let a = second_difference(50);
+        let mut rhs = vec![1.0; 50];
+
+        let few = SolveOptions { max_iterations: 3, ..all };
+        let Error::NotConverged(at) = solve(&a, &rhs, &few) else { panic!("no convergence") };
+        assert_eq!((at.report.iterations, at.report.residual_history.len()), (3, 4));
+        assert!(at.iterate.iter().all(|x| *x > 0.0));
+
+        let indefinite = solve(&tridiagonal(50, -1.0, 1.0), &rhs, &all);
+        assert!(matches!(indefinite, Error::NotPositiveDefinite { what: "matrix", .. }));
+
+        let seen = Cell::new(0);
+        let stop = |iteration: usize, _: f64| {
+            seen.set(iteration);
+            if iteration == 4 { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+        };
+        let stopped = solve(&a, &rhs, &SolveOptions { progress: Some(&stop), ..all });
+        assert!(matches!(stopped, Error::Stopped(at) if at.report.iterations == 4));
+        assert_eq!(seen.get(), 4);
+
+        rhs[7] = f64::INFINITY;
+        assert!(matches!(solve(&a, &rhs, &all), Error::NotFinite { index: 7, .. }));
+        assert!(matches!(solve(&a, &rhs[1..], &all), Error::Size { found: 49, .. }));
+        let bad = SolveOptions { tolerance: f64::NAN, ..all };
+        assert!(matches!(solve(&a, &[1.0; 50], &bad), Error::Option { .. }));
+    }
+}

@@ -1,0 +1,78 @@
+//! Chebyshev smoothing: a polynomial in D⁻¹A, small on the upper spectrum.
+//!
+//! Saad, "Iterative methods for sparse linear systems", algorithm 12.1, with
+//! the residual, the diagonal scaling and the update inside the product's loop:
+//! one pass over the matrix a step. In the energy product the polynomial is
+//! symmetric, so the cycle is.
+
+use crate::csr::Csr;
+use crate::kernels::chebyshev_step;
+use crate::real::Real;
+
+/// The coefficients of the recurrence d ← keep d + add D⁻¹ r for each step.
+#[derive(Debug, Clone)]
+pub(crate) struct Chebyshev<T> {
+    steps: Vec<(T, T)>,
+    direction: Vec<T>,
+    next: Vec<T>,
+}
+
+impl<T: Real> Chebyshev<T> {
+    /// The polynomial of `degree` that is smallest on [`lower`, `upper`].
+    pub(crate) fn new(unknowns: usize, degree: usize, lower: f64, upper: f64) -> Self {
+        let (centre, radius) = (0.5 * (upper + lower), 0.5 * (upper - lower));
+        let sigma = centre / radius;
+        let mut rho = 1.0 / sigma;
+        let mut steps = vec![(0.0, 1.0 / centre)];
+        for _ in 1..degree {
+            let previous = rho;
+            rho = 1.0 / (2.0 * sigma - previous);
+            steps.push((rho * previous, 2.0 * rho / radius));
+        }
+        let round = |(keep, add)| (T::from_f64(keep), T::from_f64(add));
+        Self {
+            steps: steps.into_iter().map(round).collect(),
+            direction: vec![T::default(); unknowns],
+            next: vec![T::default(); unknowns],
+        }
+    }
+
+    /// Improves `x` for A x = b. With `from_zero`, `x` counts as zero whatever
+    /// it holds, and the first step needs no product.
+    pub(crate) fn smooth(
+        &mut self,
+        matrix: &Csr<T>,
+        inverse_diagonal: &[T],
+        (b, x): (&[T], &mut Vec<T>),
+        from_zero: bool,
+    ) {
+        for (step, &(keep, add)) in self.steps.iter().enumerate() {
+            if step == 0 && from_zero {
+                start(add, (inverse_diagonal, b), &mut self.direction, x);
+                continue;
+            }
+            chebyshev_step(
+                (matrix, inverse_diagonal),
+                (keep, add),
+                (x, b),
+                (&mut self.direction, &mut self.next),
+            );
+            std::mem::swap(x, &mut self.next);
+        }
+    }
+
+    /// The memory of its vectors, in bytes.
+    pub(crate) fn bytes(&self) -> usize {
+        2 * size_of_val(&*self.next)
+    }
+}
+
+/// The first step from zero: d = x = add D⁻¹ b.
+fn start<T: Real>(add: T, (inverse_diagonal, b): (&[T], &[T]), d: &mut [T], x: &mut [T]) {
+    crate::chunks::map_chunks2(d, x, |first, d, x| {
+        for (k, (d, x)) in d.iter_mut().zip(x).enumerate() {
+            *d = add * (inverse_diagonal[first + k] * b[first + k]);
+            *x = *d;
+        }
+    });
+}

@@ -1,0 +1,71 @@
+//! The V-cycle, in one precision.
+
+use crate::coarse::CoarseSolver;
+use crate::dot::largest;
+use crate::level::Level;
+use crate::real::Real;
+
+/// All smoothed levels, finest first, and the direct solver below them.
+pub(crate) struct VCycle<T> {
+    pub(crate) levels: Vec<Level<T>>,
+    pub(crate) coarsest: Coarsest,
+    rhs: Vec<T>,
+    x: Vec<T>,
+}
+
+/// The direct solver with its right-hand side and solution in double precision.
+pub(crate) struct Coarsest {
+    solver: CoarseSolver,
+    rhs: Vec<f64>,
+    x: Vec<f64>,
+}
+
+impl<T: Real> VCycle<T> {
+    pub(crate) fn new(unknowns: usize, levels: Vec<Level<T>>, coarsest: Coarsest) -> Self {
+        let zero = vec![T::default(); unknowns];
+        Self { levels, coarsest, rhs: zero.clone(), x: zero }
+    }
+
+    /// z = one cycle for A z = r, from zero. The residual is scaled to largest
+    /// entry 1, so that single precision neither over- nor underflows.
+    pub(crate) fn apply(&mut self, r: &[f64], z: &mut [f64]) {
+        let scale = largest(r);
+        if scale == 0.0 {
+            return z.fill(0.0);
+        }
+        crate::chunks::for_chunks(&mut self.rhs, |first, chunk| {
+            for (rhs, r) in chunk.iter_mut().zip(&r[first..]) {
+                *rhs = T::from_f64(r / scale);
+            }
+        });
+        v_cycle(&mut self.levels, &mut self.coarsest, &self.rhs, &mut self.x);
+        crate::chunks::for_chunks(z, |first, chunk| {
+            for (z, x) in chunk.iter_mut().zip(&self.x[first..]) {
+                *z = scale * x.to_f64();
+            }
+        });
+    }
+}
+
+fn v_cycle<T: Real>(levels: &mut [Level<T>], coarsest: &mut Coarsest, b: &[T], x: &mut Vec<T>) {
+    let Some((level, coarser)) = levels.split_first_mut() else {
+        return coarsest.solve(b, x);
+    };
+    level.smooth_before(b, x);
+    level.restrict_residual(b, x);
+    v_cycle(coarser, coarsest, &level.coarse_rhs, &mut level.coarse_x);
+    level.correct(x);
+    level.smooth_after(b, x);
+}
+
+impl Coarsest {
+    pub(crate) fn new(solver: CoarseSolver, unknowns: usize) -> Self {
+        Self { solver, rhs: vec![0.0; unknowns], x: vec![0.0; unknowns] }
+    }
+
+    fn solve<T: Real>(&mut self, b: &[T], x: &mut [T]) {
+        self.rhs.iter_mut().zip(b).for_each(|(rhs, b)| *rhs = b.to_f64());
+        self.solver.solve(&self.rhs, &mut self.x);
+        x.iter_mut().zip(&self.x).for_each(|(out, x)| *out = T::from_f64(*x));
+    }
+}

@@ -1,0 +1,278 @@
+//! Geometric multigrid from matrices alone.
+
+use crate::coarse::CoarseSolver;
+use crate::csr::Csr;
+use crate::cycle::{Coarsest, VCycle};
+use crate::error::{Error, check_finite, check_size};
+use crate::galerkin::galerkin;
+use crate::level::Level;
+use crate::options::{MultigridOptions, Precision};
+use crate::preconditioner::Preconditioner;
+use crate::real::Real;
+use crate::spectrum::largest_eigenvalue;
+use crate::summary::LevelSummary;
+use crate::transpose::transpose;
+use std::borrow::Cow;
+use std::time::Instant;
+
+/// Levels from a matrix and prolongations, and a V-cycle over them.
+///
+/// Coarse matrices are Galerkin products Pᵀ A P; the coarsest level is solved
+/// directly. Prints itself as a table of its levels.
+pub struct Multigrid {
+    cycle: Cycle,
+    summaries: Vec<LevelSummary>,
+    options: MultigridOptions,
+    setup_seconds: f64,
+}
+
+enum Cycle {
+    Single(VCycle<f32>),
+    Double(VCycle<f64>),
+}
+
+impl Multigrid {
+    /// Builds all levels.
+    ///
+    /// `matrix` is the finest, symmetric positive definite. `prolongations` come
+    /// **finest first**: the first leads from level 1 to the unknowns of
+    /// `matrix` (level 0). A level without unknowns ends the list.
+    ///
+    /// # Errors
+    /// [`Error::Size`] if a prolongation does not fit the level above it,
+    /// [`Error::NotFinite`] or [`Error::Diagonal`] for a senseless matrix,
+    /// [`Error::CoarsestTooLarge`] or [`Error::CoarsestSingular`] for a
+    /// coarsest level that cannot be solved directly, [`Error::Option`].
+    pub fn new(
+        matrix: &Csr<f64>,
+        prolongations: Vec<Csr<f64>>,
+        options: &MultigridOptions,
+    ) -> Result<Self, Error> {
+        let start = Instant::now();
+        options.check()?;
+        check_size("columns of the matrix", matrix.columns(), matrix.rows())?;
+        check_finite("matrix", matrix.values())?;
+        let (cycle, summaries) = match options.precision {
+            Precision::Single => {
+                let (cycle, summaries) = build(matrix, prolongations, options)?;
+                (Cycle::Single(cycle), summaries)
+            }
+            Precision::Double => {
+                let (cycle, summaries) = build(matrix, prolongations, options)?;
+                (Cycle::Double(cycle), summaries)
+            }
+        };
+        let setup_seconds = start.elapsed().as_secs_f64();
+        Ok(Self { cycle, summaries, options: *options, setup_seconds })
+    }
+
+    /// What each level holds, finest first.
+    pub fn levels(&self) -> &[LevelSummary] {
+        &self.summaries
+    }
+
+    /// The unknowns of all levels over those of the finest.
+    pub fn grid_complexity(&self) -> f64 {
+        self.over_finest(|level| level.unknowns)
+    }
+
+    /// The nonzeros of all matrices over those of the finest.
+    pub fn operator_complexity(&self) -> f64 {
+        self.over_finest(|level| level.nonzeros)
+    }
+
+    fn over_finest(&self, count: impl Fn(&LevelSummary) -> usize) -> f64 {
+        let sum: usize = self.summaries.iter().map(&count).sum();
+        sum as f64 / count(&self.summaries[0]).max(1) as f64
+    }
+
+    /// The memory of all levels, in bytes.
+    pub fn bytes(&self) -> usize {
+        self.summaries.iter().map(|level| level.bytes).sum()
+    }
+
+    /// The work of one cycle in products with the finest matrix: on each
+    /// smoothed level the nonzeros times (smoothing products + 1 residual),
+    /// and twice those of the prolongation. (The first Chebyshev step of a
+    /// cycle is counted although, from zero, it needs no product.)
+    pub fn work_units(&self) -> f64 {
+        let passes = self.options.smoothing_products() + 1;
+        let smoothed = &self.summaries[..self.summaries.len() - 1];
+        let work = |level: &LevelSummary| {
+            passes * level.nonzeros + 2 * level.prolongation_nonzeros.unwrap_or(0)
+        };
+        let sum: usize = smoothed.iter().map(work).sum();
+        sum as f64 / self.summaries[0].nonzeros.max(1) as f64
+    }
+
+    /// The choices it was built with.
+    pub fn options(&self) -> &MultigridOptions {
+        &self.options
+    }
+}
+
+impl Preconditioner for Multigrid {
+    fn apply(&mut self, r: &[f64], z: &mut [f64]) {
+        match &mut self.cycle {
+            Cycle::Single(cycle) => cycle.apply(r, z),
+            Cycle::Double(cycle) => cycle.apply(r, z),
+        }
+    }
+
+    fn setup_seconds(&self) -> f64 {
+        self.setup_seconds
+    }
+}
+
+/// Levels from the finest to the coarsest, in precision `T`.
+fn build<T: Real>(
+    matrix: &Csr<f64>,
+    prolongations: Vec<Csr<f64>>,
+    options: &MultigridOptions,
+) -> Result<(VCycle<T>, Vec<LevelSummary>), Error> {
+    let (mut levels, mut summaries) = (Vec::new(), Vec::new());
+    let mut current = Cow::Borrowed(matrix);
+    for prolongation in prolongations.into_iter().take_while(|p| p.columns() > 0) {
+        check_size("rows of a prolongation", prolongation.rows(), current.rows())?;
+        check_finite("prolongation", prolongation.values())?;
+        let diagonal = positive_diagonal(&current, levels.len())?;
+        let eigenvalue = largest_eigenvalue(&current, &diagonal);
+        let restriction = transpose(&prolongation);
+        let coarse = galerkin(&current, &prolongation, &restriction);
+        let transfer = (&prolongation, &restriction);
+        let level = Level::<T>::new(&current, &diagonal, eigenvalue, transfer, options);
+        summaries.push(LevelSummary {
+            unknowns: current.rows(),
+            nonzeros: current.nonzeros(),
+            bytes: level.bytes(),
+            prolongation_nonzeros: Some(prolongation.nonzeros()),
+            largest_eigenvalue: Some(eigenvalue),
+        });
+        levels.push(level);
+        current = Cow::Owned(coarse);
+    }
+    positive_diagonal(&current, levels.len())?;
+    let (unknowns, nonzeros) = (current.rows(), current.nonzeros());
+    let solver = CoarseSolver::new(current.into_owned())?;
+    summaries.push(LevelSummary {
+        unknowns,
+        nonzeros,
+        bytes: solver.bytes(),
+        prolongation_nonzeros: None,
+        largest_eigenvalue: None,
+    });
+    Ok((VCycle::new(matrix.rows(), levels, Coarsest::new(solver, unknowns)), summaries))
+}
+
+fn positive_diagonal(matrix: &Csr<f64>, level: usize) -> Result<Vec<f64>, Error> {
+    let entry = |row: usize| match matrix.get(row, row).unwrap_or(0.0) {
+        value if value > 0.0 => Ok(value),
+        value => Err(Error::Diagonal { level, row, value }),
+    };
+    (0..matrix.rows()).map(entry).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::cg::conjugate_gradients;
+    use crate::options::Smoother;
+    use crate::random::noise;
+    use crate::run::SolveOptions;
+    use crate::stationary::mean_reduction;
+    use crate::toy::{interpolation, second_difference};
+
+    /// The second difference on 2^`levels` − 1 points, down to one point.
+    fn interval(levels: u32, options: &MultigridOptions) -> (Csr<f64>, Multigrid) {
+        let points = |level: u32| (1usize << level) - 1;
+        let matrix = second_difference(points(levels));
+        let prolongations = (1..levels).rev().map(|l| interpolation(points(l))).collect();
+        let multigrid = Multigrid::new(&matrix, prolongations, options).unwrap();
+        (matrix, multigrid)
+    }
+
+    #[test]
+    fn the_reduction_on_an_interval_does_not_depend_on_the_level() {
+        let double = MultigridOptions { precision: Precision::Double, ..Default::default() };
+        let gauss_seidel = MultigridOptions { smoother: Smoother::GaussSeidel, ..double };
+        for (options, bound) in [(double, 0.12), (gauss_seidel, 0.2)] {
+            for levels in [4, 7, 10, 13] {
+                let (matrix, mut multigrid) = interval(levels, &options);
+                let reduction = mean_reduction(&matrix, &mut multigrid, 20).unwrap();
+                assert!(reduction < bound, "{levels} levels: {reduction}");
+            }
+        }
+    }
+
+    #[test]
+    fn the_cycle_is_symmetric() {
+        for smoother in [Smoother::GaussSeidel, MultigridOptions::default().smoother] {
+            let options =
+                MultigridOptions { smoother, before: 2, after: 2, precision: Precision::Double };
+            let (matrix, mut multigrid) = interval(8, &options);
+            let [u, v] = [4, 5].map(|seed| noise(matrix.rows(), seed));
+            let [mut mu, mut mv] = [u.clone(), v.clone()];
+            multigrid.apply(&u, &mut mu);
+            multigrid.apply(&v, &mut mv);
+            let (left, right) = (crate::dot(&mu, &v), crate::dot(&u, &mv));
+            let size = crate::norm(&mu) * crate::norm(&v);
+            assert!((left - right).abs() < 1e-13 * size, "{left} {right}");
+        }
+    }
+
+    #[test]
+    fn single_precision_takes_the_same_iterations() {
+        let double = MultigridOptions { precision: Precision::Double, ..Default::default() };
+        let goal = SolveOptions { tolerance: 1e-12, ..Default::default() };
+        let iterations = [double, MultigridOptions::default()].map(|options| {
+            let (matrix, mut multigrid) = interval(12, &options);
+            let rhs = noise(matrix.rows(), 6);
+            conjugate_gradients(&matrix, &rhs, &mut multigrid, &goal).unwrap().1.iterations
+        });
+        assert_eq!(iterations[0], iterations[1]);
+    }
+
+    #[test]
+    fn the_table_adds_up() {
+        let (matrix, multigrid) = interval(3, &MultigridOptions::default());
+        let unknowns: Vec<usize> = multigrid.levels().iter().map(|l| l.unknowns).collect();
+        let nonzeros: Vec<usize> = multigrid.levels().iter().map(|l| l.nonzeros).collect();
+        assert_eq!((unknowns, nonzeros), (vec![7, 3, 1], vec![19, 7, 1]));
+        assert_eq!(multigrid.grid_complexity(), 11.0 / 7.0);
+        assert_eq!(multigrid.operator_complexity(), 27.0 / 19.0);
+        // Seven passes over two smoothed levels, and P with 9 and 3 entries twice.
+        assert_eq!(multigrid.work_units(), (7.0 * 26.0 + 2.0 * 13.0) / 19.0);
+        let table = multigrid.to_string();
+        assert_eq!(table.lines().count(), 5);
+        assert!(table.contains("direct") && table.contains("operator complexity 1.421"));
+        assert_eq!(matrix.rows(), 7);
+    }
+
+    #[test]
+    fn senseless_input_is_refused() {
+        let a = second_difference(7);
+        let new = |matrix: &Csr<f64>, p: Vec<Csr<f64>>| {
+            Multigrid::new(matrix, p, &MultigridOptions::default())
+        };
+        let not_fitting = new(&a, vec![interpolation(4)]);
+        assert!(matches!(not_fitting, Err(Error::Size { found: 9, expected: 7, .. })));
+        let negative = a.with_values(a.values().iter().map(|v| -v).collect());
+        let refused = new(&negative, vec![]);
+        assert!(matches!(refused, Err(Error::Diagonal { level: 0, row: 0, value: -2.0 })));
+        let mut values = a.values().to_vec();
+        values[5] = f64::NAN;
+        let refused = new(&a.with_values(values), vec![]);
+        assert!(matches!(refused, Err(Error::NotFinite { index: 5, .. })));
+        let no_sweeps = MultigridOptions { before: 0, after: 0, ..Default::default() };
+        assert!(matches!(Multigrid::new(&a, vec![], &no_sweeps), Err(Error::Option { .. })));
+    }
+
+    #[test]
+    fn a_level_without_unknowns_ends_the_list() {
+        let empty = Csr::new(0, vec![0; 4], vec![], vec![]).unwrap();
+        let prolongations = vec![interpolation(3), empty];
+        let a = second_difference(7);
+        let multigrid = Multigrid::new(&a, prolongations, &Default::default()).unwrap();
+        assert_eq!(multigrid.levels().len(), 2);
+    }
+}

@@ -1,0 +1,79 @@
+//! Cycles alone, without conjugate gradients: as a solver, and to measure how
+//! much a cycle reduces the error.
+
+use crate::csr::Csr;
+use crate::dot::norm;
+use crate::error::{Error, check_size};
+use crate::kernels::{product_dot, residual};
+use crate::preconditioner::Preconditioner;
+use crate::random::noise;
+use crate::report::SolveReport;
+use crate::run::{Run, SolveOptions};
+
+/// Solves A x = b from zero by x ← x + M (b − A x), M the preconditioner.
+///
+/// # Errors
+/// [`Error::NotConverged`] and [`Error::Stopped`] carry history and last
+/// iterate; [`Error::NotFinite`], [`Error::Size`] and [`Error::Option`] come
+/// before the first iteration.
+pub fn stationary_iteration(
+    matrix: &Csr<f64>,
+    rhs: &[f64],
+    preconditioner: &mut impl Preconditioner,
+    options: &SolveOptions<'_>,
+) -> Result<(Vec<f64>, SolveReport), Error> {
+    let mut run = Run::new(matrix, rhs, preconditioner.setup_seconds(), options)?;
+    let mut x = vec![0.0; rhs.len()];
+    if run.is_trivial() {
+        return Ok(run.finish(x));
+    }
+    let (mut r, mut z) = (rhs.to_vec(), vec![0.0; rhs.len()]);
+    while run.may_go_on() {
+        preconditioner.apply(&r, &mut z);
+        x.iter_mut().zip(&z).for_each(|(x, z)| *x += z);
+        residual(matrix, &x, rhs, &mut r);
+        let residual_norm = norm(&r);
+        let wish = run.record(residual_norm);
+        if run.is_small(residual_norm) {
+            return Ok(run.finish(x));
+        }
+        // A diverging iteration ends in infinities: no need to wait for the limit.
+        if !residual_norm.is_finite() {
+            break;
+        }
+        if wish.is_break() {
+            return Err(Error::Stopped(run.unfinished(x)));
+        }
+    }
+    Err(Error::NotConverged(run.unfinished(x)))
+}
+
+/// How much one cycle reduces the error: the mean (geometric, over the last 8
+/// of `cycles`) factor of its energy norm √(e · A e), for A e = 0 from noise.
+///
+/// # Errors
+/// [`Error::Size`] if the matrix is not square.
+pub fn mean_reduction(
+    matrix: &Csr<f64>,
+    preconditioner: &mut impl Preconditioner,
+    cycles: usize,
+) -> Result<f64, Error> {
+    check_size("columns of the matrix", matrix.columns(), matrix.rows())?;
+    const MEASURED: usize = 8;
+    let mut error = noise(matrix.rows(), 3);
+    let mut image = vec![0.0; matrix.rows()];
+    let mut correction = vec![0.0; matrix.rows()];
+    let energy = |error: &[f64], image: &mut [f64]| product_dot(matrix, error, image).sqrt();
+    let mut logarithms = Vec::with_capacity(cycles);
+    let mut before = energy(&error, &mut image);
+    for _ in 0..cycles {
+        preconditioner.apply(&image, &mut correction);
+        // Scaled to energy 1, so that no number of cycles underflows.
+        error.iter_mut().zip(&correction).for_each(|(e, c)| *e = (*e - c) / before);
+        let after = energy(&error, &mut image);
+        logarithms.push(after.ln());
+        before = after;
+    }
+    let last = &logarithms[cycles.saturating_sub(MEASURED)..];
+    Ok((last.iter().sum::<f64>() / last.len().max(1) as f64).exp())
+}

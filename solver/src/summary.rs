@@ -1,0 +1,62 @@
+//! The multigrid's table of itself.
+
+use crate::multigrid::Multigrid;
+use std::fmt;
+
+/// What one level holds.
+#[derive(Debug, Clone, PartialEq)]
+pub struct LevelSummary {
+    /// Rows of its matrix.
+    pub unknowns: usize,
+    /// Stored entries of its matrix.
+    pub nonzeros: usize,
+    /// Memory of matrices, factors and work vectors.
+    pub bytes: usize,
+    /// Stored entries of the prolongation onto it; none on the coarsest level.
+    pub prolongation_nonzeros: Option<usize>,
+    /// The estimate for D⁻¹A; none on the coarsest level, which is not smoothed.
+    pub largest_eigenvalue: Option<f64>,
+}
+
+impl LevelSummary {
+    /// Stored entries a row of its matrix.
+    pub fn nonzeros_per_row(&self) -> f64 {
+        self.nonzeros as f64 / self.unknowns.max(1) as f64
+    }
+}
+
+impl fmt::Display for Multigrid {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        writeln!(
+            f,
+            "{:>5}  {:>10}  {:>11}  {:>7}  {:>9}  {:>9}",
+            "level", "unknowns", "nonzeros", "per row", "MiB", "λmax"
+        )?;
+        for (number, level) in self.levels().iter().enumerate() {
+            let eigenvalue =
+                level.largest_eigenvalue.map_or("direct".into(), |value| format!("{value:.3}"));
+            writeln!(
+                f,
+                "{number:>5}  {:>10}  {:>11}  {:>7.1}  {:>9.2}  {eigenvalue:>9}",
+                level.unknowns,
+                level.nonzeros,
+                level.nonzeros_per_row(),
+                level.bytes as f64 / f64::from(1 << 20),
+            )?;
+        }
+        write!(
+            f,
+            "grid complexity {:.3}, operator complexity {:.3}, work of a cycle {:.2} products",
+            self.grid_complexity(),
+            self.operator_complexity(),
+            self.work_units()
+        )
+    }
+}
+
+impl fmt::Debug for Multigrid {
+    /// The table: levels hold too many numbers to print.
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        fmt::Display::fmt(self, f)
+    }
+}

@@ -3,6 +3,7 @@
 use crate::error::Error;
 use crate::real::Real;
 use nalgebra_sparse::CsrMatrix;
+use rayon::prelude::*;
 
 /// A sparse matrix by rows, columns ascending in each row.
 ///
@@ -110,7 +111,7 @@ impl<T: Real> Csr<T> {
 
     /// The same matrix with every value rounded to `U`.
     pub fn cast<U: Real>(&self) -> Csr<U> {
-        self.with_values(self.values.iter().map(|v| U::from_f64(v.to_f64())).collect())
+        self.with_values(self.values.par_iter().map(|v| U::from_f64(v.to_f64())).collect())
     }
 
     /// The same pattern with other values.

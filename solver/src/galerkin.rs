@@ -93,9 +93,9 @@ fn join(columns: usize, rows: usize, chunks: &[Chunk]) -> Csr<f64> {
         let base = offsets[offsets.len() - 1];
         offsets.extend(ends.iter().map(|end| base + end));
     }
-    let indices = chunks.iter().flat_map(|(_, indices, _)| indices).copied().collect();
-    let values = chunks.iter().flat_map(|(.., values)| values).copied().collect();
-    Csr::trusted(columns, offsets, indices, values)
+    let indices: Vec<&[u32]> = chunks.iter().map(|(_, indices, _)| &**indices).collect();
+    let values: Vec<&[f64]> = chunks.iter().map(|(.., values)| &**values).collect();
+    Csr::trusted(columns, offsets, indices.concat(), values.concat())
 }
 
 /// The matrix with entry (i, j) replaced by entry (j, i) wherever j < i; the

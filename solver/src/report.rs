@@ -17,11 +17,18 @@ pub struct SolveReport {
 }
 
 /// What an iteration that did not reach its goal leaves behind.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Clone, PartialEq)]
 pub struct Unfinished {
     /// What was done and reached.
     pub report: SolveReport,
     /// The last iterate. Conjugate gradients decrease the energy norm of the
     /// error in every iteration, so the last is the best.
     pub iterate: Vec<f64>,
+}
+
+impl std::fmt::Debug for Unfinished {
+    /// The report alone: the iterate may have millions of entries.
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.debug_struct("Unfinished").field("report", &self.report).finish_non_exhaustive()
+    }
 }

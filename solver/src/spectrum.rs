@@ -1,8 +1,8 @@
 //! The largest eigenvalue of D⁻¹A.
 
+use crate::chunks::{for_chunks, map_chunks, map_ranges};
 use crate::csr::Csr;
-use crate::dot::{dot, norm};
-use crate::kernels::product;
+use crate::kernels::product_dot;
 use crate::random::noise;
 
 /// Lanczos steps: the estimate then lies a few percent below the eigenvalue,
@@ -10,47 +10,50 @@ use crate::random::noise;
 const STEPS: usize = 10;
 
 /// An estimate from below of the largest eigenvalue of D⁻¹A for symmetric A,
-/// never above the bound max Σ |a_ij| / a_ii; by ten Lanczos steps on
-/// D^−½ A D^−½ from a fixed start vector.
+/// never above the bound max Σ |a_ij| / a_ii; by ten Lanczos steps in the
+/// scalar product of D, from a fixed start vector.
 pub(crate) fn largest_eigenvalue(matrix: &Csr<f64>, diagonal: &[f64]) -> f64 {
     let n = matrix.rows();
-    let scale: Vec<f64> = diagonal.iter().map(|d| 1.0 / d.sqrt()).collect();
+    let [mut previous, mut next] = [vec![0.0; n], vec![0.0; n]];
     let mut current = noise(n, 1);
-    let mut previous = vec![0.0; n];
-    let mut scaled = vec![0.0; n];
-    let mut image = vec![0.0; n];
+    let sums = map_chunks(&mut current, |first, chunk| weighted_square(chunk, &diagonal[first..]));
+    let mut size = sums.iter().sum::<f64>().sqrt();
     let (mut alphas, mut betas) = (Vec::new(), Vec::new());
-    let mut beta = norm(&current);
-    while alphas.len() < STEPS.min(n) && beta > 1e-12 {
-        current.iter_mut().for_each(|v| *v /= beta);
-        for i in 0..n {
-            scaled[i] = scale[i] * current[i];
-        }
-        product(matrix, &scaled, &mut image);
-        for i in 0..n {
-            image[i] *= scale[i];
-        }
-        let alpha = dot(&current, &image);
-        if !alphas.is_empty() {
-            betas.push(beta);
-        }
-        let back = if alphas.is_empty() { 0.0 } else { beta };
-        for i in 0..n {
-            image[i] -= alpha * current[i] + back * previous[i];
+    for step in 0..STEPS.min(n) {
+        for_chunks(&mut current, |_, chunk| chunk.iter_mut().for_each(|v| *v /= size));
+        let alpha = product_dot(matrix, &current, &mut next);
+        if step > 0 {
+            betas.push(size);
         }
         alphas.push(alpha);
-        beta = norm(&image);
+        let sums = map_chunks(&mut next, |first, chunk| {
+            for (k, v) in chunk.iter_mut().enumerate() {
+                let i = first + k;
+                *v = *v / diagonal[i] - alpha * current[i] - size * previous[i];
+            }
+            weighted_square(chunk, &diagonal[first..])
+        });
+        size = sums.iter().sum::<f64>().sqrt();
+        // Nothing new is left: the space is invariant, the estimate exact.
+        if size < 1e-10 {
+            break;
+        }
         std::mem::swap(&mut previous, &mut current);
-        std::mem::swap(&mut current, &mut image);
+        std::mem::swap(&mut current, &mut next);
     }
     let bound = row_bound(matrix, diagonal);
     largest_of_tridiagonal(&alphas, &betas, bound).min(bound)
 }
 
+/// Σ d_i v_i².
+fn weighted_square(v: &[f64], d: &[f64]) -> f64 {
+    v.iter().zip(d).map(|(v, d)| d * v * v).sum()
+}
+
 /// max Σ_j |a_ij| / a_ii, which no eigenvalue of D⁻¹A exceeds.
 fn row_bound(matrix: &Csr<f64>, diagonal: &[f64]) -> f64 {
     let row = |i: usize| matrix.row(i).1.iter().map(|v| v.abs()).sum::<f64>() / diagonal[i];
-    crate::chunks::map_ranges(matrix.rows(), |rows| rows.map(row).fold(0.0, f64::max))
+    map_ranges(matrix.rows(), |rows| rows.map(row).fold(0.0, f64::max))
         .into_iter()
         .fold(0.0, f64::max)
 }

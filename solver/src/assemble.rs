@@ -50,6 +50,7 @@ impl System {
 pub fn assemble(mesh: &TetMesh, topology: &Topology, problem: &Poisson) -> Result<System, Error> {
     let (tets, edges) = (mesh.tets().len(), topology.edges());
     check_size("tets of the topology", topology.tet_edges().len(), tets)?;
+    check_size("vertices of the topology", topology.vertex_count(), mesh.points().len())?;
     problem.coefficient.check(mesh)?;
     let dofs = Dofs::new(mesh, &problem.fixed)?;
     let scatter = Scatter::new(topology.tet_edges(), edges.len());

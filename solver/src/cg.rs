@@ -79,8 +79,8 @@ mod tests {
     use crate::preconditioner::Identity;
     use crate::random::noise;
     use crate::toy::{second_difference, tridiagonal};
-    use std::cell::Cell;
     use std::ops::ControlFlow;
+    use std::sync::atomic::{AtomicUsize, Ordering::Relaxed};
 
     #[test]
     fn n_iterations_solve_n_equations() {
@@ -126,14 +126,14 @@ mod tests {
         let indefinite = solve(&tridiagonal(50, -1.0, 1.0), &rhs, &all);
         assert!(matches!(indefinite, Error::NotPositiveDefinite { what: "matrix", .. }));
 
-        let seen = Cell::new(0);
+        let seen = AtomicUsize::new(0);
         let stop = |iteration: usize, _: f64| {
-            seen.set(iteration);
+            seen.store(iteration, Relaxed);
             if iteration == 4 { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
         };
         let stopped = solve(&a, &rhs, &SolveOptions { progress: Some(&stop), ..all });
         assert!(matches!(stopped, Error::Stopped(at) if at.report.iterations == 4));
-        assert_eq!(seen.get(), 4);
+        assert_eq!(seen.into_inner(), 4);
 
         // Beyond what rounding allows: given up long before the limit.
         let greedy = SolveOptions { tolerance: 1e-30, max_iterations: 10_000, ..all };

@@ -30,21 +30,12 @@ impl<T: Real> Csr<T> {
         indices: Vec<u32>,
         values: Vec<T>,
     ) -> Result<Self, Error> {
-        let malformed = |row: usize, what: &'static str| Err(Error::Malformed { row, what });
-        if offsets.first() != Some(&0) || offsets.last() != Some(&indices.len()) {
-            return malformed(0, "row offsets must run from 0 to the number of entries");
-        }
         if values.len() != indices.len() {
-            return malformed(0, "there must be one value for each column index");
+            let what = "there must be one value for each column index";
+            return Err(Error::Malformed { row: 0, what });
         }
-        for (row, ends) in offsets.windows(2).enumerate() {
-            let Some(row_indices) = indices.get(ends[0]..ends[1]) else {
-                return malformed(row, "row offsets must ascend");
-            };
-            let ascending = row_indices.windows(2).all(|pair| pair[0] < pair[1]);
-            if !ascending || row_indices.last().is_some_and(|&j| j as usize >= columns) {
-                return malformed(row, "columns must ascend and be less than their number");
-            }
+        if let Some((row, what)) = first_fault(columns, &offsets, &indices) {
+            return Err(Error::Malformed { row, what });
         }
         Ok(Self { columns, offsets, indices, values })
     }
@@ -56,7 +47,8 @@ impl<T: Real> Csr<T> {
         indices: Vec<u32>,
         values: Vec<T>,
     ) -> Self {
-        debug_assert!(Self::new(columns, offsets.clone(), indices.clone(), values.clone()).is_ok());
+        debug_assert_eq!(first_fault(columns, &offsets, &indices), None);
+        debug_assert_eq!(values.len(), indices.len());
         Self { columns, offsets, indices, values }
     }
 
@@ -124,6 +116,26 @@ impl<T: Real> Csr<T> {
             values,
         }
     }
+}
+
+/// The first row at fault in a pattern, and what must hold there.
+fn first_fault(
+    columns: usize,
+    offsets: &[usize],
+    indices: &[u32],
+) -> Option<(usize, &'static str)> {
+    if offsets.first() != Some(&0) || offsets.last() != Some(&indices.len()) {
+        return Some((0, "row offsets must run from 0 to the number of entries"));
+    }
+    offsets.windows(2).enumerate().find_map(|(row, ends)| {
+        let Some(row_indices) = indices.get(ends[0]..ends[1]) else {
+            return Some((row, "row offsets must ascend"));
+        };
+        let ascending = row_indices.windows(2).all(|pair| pair[0] < pair[1]);
+        let within = row_indices.last().is_none_or(|&j| (j as usize) < columns);
+        (!ascending || !within)
+            .then_some((row, "columns must ascend and be less than their number"))
+    })
 }
 
 impl TryFrom<&CsrMatrix<f64>> for Csr<f64> {

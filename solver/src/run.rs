@@ -10,7 +10,7 @@ use std::time::Instant;
 
 /// Called after each iteration with its number and the relative residual;
 /// `Break` stops the solve.
-pub type Progress<'a> = &'a dyn Fn(usize, f64) -> ControlFlow<()>;
+pub type Progress<'a> = &'a (dyn Fn(usize, f64) -> ControlFlow<()> + Sync);
 
 /// When to stop, and whom to tell.
 #[derive(Clone, Copy)]

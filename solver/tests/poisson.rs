@@ -174,6 +174,32 @@ fn sources_and_fluxes_balance() {
 }
 
 #[test]
+fn errors_shrink_with_the_order_of_the_element() {
+    // −Δu = f with u = sin πx sin πy sin πz, which vanishes on all sides.
+    use std::f64::consts::PI;
+    let u = |[x, y, z]: [f64; 3]| (PI * x).sin() * (PI * y).sin() * (PI * z).sin();
+    let slope = |p: [f64; 3]| {
+        let (s, c) = (p.map(|t| (PI * t).sin()), p.map(|t| (PI * t).cos()));
+        [PI * c[0] * s[1] * s[2], PI * s[0] * c[1] * s[2], PI * s[0] * s[1] * c[2]]
+    };
+    let errors = [8, 16].map(|n| {
+        let mesh = kuhn_cube(n);
+        let problem = Poisson {
+            source: ByRegion {
+                default: Scalar::function(move |p| 3.0 * PI * PI * u(p)),
+                regions: vec![],
+            },
+            fixed: (1..=6).map(|side| (side, 0.0.into())).collect(),
+            ..Poisson::default()
+        };
+        let u_h = solve(&mesh, &problem);
+        [l2_error(&mesh, &u_h, u), h1_seminorm_error(&mesh, &u_h, slope)]
+    });
+    let rates = [0, 1].map(|norm| (errors[0][norm] / errors[1][norm]).log2());
+    assert!(rates[0] > 1.85 && rates[1] > 0.95, "{rates:?}");
+}
+
+#[test]
 fn the_last_listed_surface_wins_at_a_common_vertex() {
     let mesh = kuhn_cube(1);
     let fixed = vec![(1, 5.0.into()), (3, 7.0.into())];

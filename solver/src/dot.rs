@@ -26,6 +26,7 @@ pub(crate) fn largest(a: &[f64]) -> f64 {
 
 /// The scalar product inside one chunk, with four partial sums so that the
 /// additions need not wait for each other.
+#[inline]
 pub(crate) fn chunk_dot(a: &[f64], b: &[f64]) -> f64 {
     let mut sums = [0.0; 4];
     let (a4, a_rest) = a.as_chunks::<4>();

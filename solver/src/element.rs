@@ -5,6 +5,7 @@ use octruss_mesh::reference_tet::{EDGES, FACES, six_volumes};
 /// Six times the volume, and for each vertex the gradient of its shape
 /// function times six volumes: the cross product of the edges of the opposite
 /// face, pointing inward.
+#[inline]
 pub(crate) fn scaled_gradients(corners: [[f64; 3]; 4]) -> (f64, [[f64; 3]; 4]) {
     let gradients = FACES.map(|face| {
         let [a, b, c] = face.map(|v| corners[v]);
@@ -14,6 +15,7 @@ pub(crate) fn scaled_gradients(corners: [[f64; 3]; 4]) -> (f64, [[f64; 3]; 4]) {
 }
 
 /// ∫ ∇φa · ∇φb over the tet for its six edges ab, in mesh units.
+#[inline]
 pub(crate) fn edge_stiffness(corners: [[f64; 3]; 4]) -> [f64; 6] {
     let (six_volumes, gradients) = scaled_gradients(corners);
     let scale = 1.0 / (6.0 * six_volumes);
@@ -33,18 +35,22 @@ pub(crate) fn triangle_area([a, b, c]: [[f64; 3]; 3]) -> f64 {
 }
 
 /// The mean of the corners.
+#[inline]
 pub(crate) fn centroid(corners: [[f64; 3]; 4]) -> [f64; 3] {
     std::array::from_fn(|k| 0.25 * corners.iter().map(|corner| corner[k]).sum::<f64>())
 }
 
+#[inline]
 fn subtract(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
     std::array::from_fn(|k| a[k] - b[k])
 }
 
+#[inline]
 fn cross(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
     [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
 }
 
+#[inline]
 fn dot3(a: [f64; 3], b: [f64; 3]) -> f64 {
     a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 }

@@ -1,5 +1,6 @@
 //! Everything that can go wrong in this crate.
 
+use crate::chunks::map_ranges;
 use crate::report::Unfinished;
 
 /// Why a problem could not be assembled or a system not be solved.
@@ -148,8 +149,11 @@ pub enum Error {
 
 /// Checks that all of `values` are finite.
 pub(crate) fn check_finite(what: &'static str, values: &[f64]) -> Result<(), Error> {
-    use rayon::prelude::*;
-    match values.par_iter().position_first(|v| !v.is_finite()) {
+    let first_bad = |range: std::ops::Range<usize>| {
+        let start = range.start;
+        values[range].iter().position(|v| !v.is_finite()).map(|at| start + at)
+    };
+    match map_ranges(values.len(), first_bad).into_iter().flatten().next() {
         Some(index) => Err(Error::NotFinite { what, index, value: values[index] }),
         None => Ok(()),
     }

@@ -61,6 +61,7 @@ pub struct ByRegion {
 
 impl ByRegion {
     /// The value in one region.
+    #[inline]
     pub fn of(&self, region: i32) -> &Scalar {
         let listed = self.regions.iter().rev().find(|(id, _)| *id == region);
         listed.map_or(&self.default, |(_, value)| value)

@@ -2,7 +2,9 @@
 //! bounded so that a loss of quality shows.
 
 use octruss_mesh::shapes::kuhn_cube;
-use octruss_mesh::{FeatureOptions, Hierarchy, Scheme, linear_matrix};
+use octruss_mesh::{
+    FeatureOptions, Hierarchy, Scheme, SubdivisionMatrix, linear_matrix, subdivide,
+};
 use octruss_solver::*;
 
 /// The unit cube, u = 0 on all sides, on 2³ cells refined `refinements` times.
@@ -23,7 +25,7 @@ fn cube(refinements: usize, prolong: Scheme) -> Cube {
         .map(|level| {
             let matrix = match prolong {
                 Scheme::Linear => linear_matrix(&hierarchy.topologies[level]),
-                Scheme::BoxSpline => box_spline_matrix(&hierarchy, level),
+                smooth => scheme_matrix(&hierarchy, level, smooth),
             };
             restrict_to_free(&matrix, &dofs[level + 1], &dofs[level]).unwrap()
         })
@@ -35,9 +37,9 @@ fn cube(refinements: usize, prolong: Scheme) -> Cube {
     Cube { system, prolongations }
 }
 
-fn box_spline_matrix(hierarchy: &Hierarchy, level: usize) -> octruss_mesh::SubdivisionMatrix {
+fn scheme_matrix(hierarchy: &Hierarchy, level: usize, scheme: Scheme) -> SubdivisionMatrix {
     let (mesh, topology) = (&hierarchy.meshes[level], &hierarchy.topologies[level]);
-    octruss_mesh::subdivide(mesh, topology, Scheme::BoxSpline, level + 1).unwrap().2.matrix
+    subdivide(mesh, topology, scheme, level + 1).unwrap().2.matrix
 }
 
 impl Cube {

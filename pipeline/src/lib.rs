@@ -1,1 +1,46 @@
-//! .
+//! Recipes, stages and reports: the pipeline that strings mesh, files and
+//! solver together, and the library behind the `octruss` command.
+//!
+//! ```text
+//! Recipe ─▶ stages over a State ─▶ Report
+//! ```
+//!
+//! # Configs
+//!
+//! A config is a TOML file: a `name`, a list of `[[stage]]` tables that run in
+//! order, and an `[expect]` table of bounds on numbers of the report. Each stage
+//! has a `kind` and the options of [`stages::Import`], [`stages::Check`],
+//! [`stages::Subdivide`], [`stages::Solve`] or [`stages::Write`], in kebab case.
+//! Input paths are relative to the config.
+//!
+//! A `--set key=value` replaces one value before the config is read. Keys are
+//! joined by dots. A stage goes by its kind, from the second of a kind on with
+//! its number (`solve`, `solve-2`), entries of other lists by their number from 0:
+//!
+//! ```text
+//! --set stage.subdivide.levels=1
+//! --set stage.solve.fixed.0.value=20
+//! --set expect={}
+//! ```
+//!
+//! A value that is no TOML is taken as a string, so names need no quotes.
+
+pub mod amount;
+pub mod describe;
+pub mod error;
+pub mod memory;
+pub mod output;
+pub mod progress;
+pub mod recipe;
+pub mod report;
+pub mod run;
+pub mod stages;
+pub mod state;
+pub mod table;
+
+pub use describe::{Description, describe};
+pub use error::Error;
+pub use recipe::Recipe;
+pub use report::Report;
+pub use run::run;
+pub use state::State;

@@ -1,2 +1,9 @@
-//! .
-fn main() {}
+//! The `octruss` command.
+
+use std::process::ExitCode;
+
+mod cli;
+
+fn main() -> ExitCode {
+    cli::main()
+}

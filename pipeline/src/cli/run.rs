@@ -1,0 +1,104 @@
+//! `octruss run`: configs, one after the other.
+
+use std::path::{Path, PathBuf};
+use std::process::ExitCode;
+
+use octruss::{Error, Recipe, Report, amount};
+
+use super::progress::Display;
+use super::{Threads, comparison};
+
+/// Run configs: import, check, subdivide, solve, write, compare with what is expected
+#[derive(clap::Args)]
+#[command(after_help = "Examples:\n  \
+    octruss run configs/quickstart.toml\n  \
+    octruss run configs/*.toml --out results --threads 4\n  \
+    octruss run configs/quickstart.toml --set stage.subdivide.levels=1 --set expect={}\n\n\
+    A key of --set is a path of names joined by dots. A stage goes by its kind (the second\n\
+    solve by `solve-2`), entries of other lists by their number from 0. Report and files go\n\
+    to out/NAME, or with --out DIR to DIR, with several configs to DIR/NAME.")]
+pub struct Run {
+    /// Config files
+    #[arg(required = true, value_name = "CONFIG")]
+    configs: Vec<PathBuf>,
+    /// Where output goes [default: out/NAME]
+    #[arg(long, value_name = "DIR")]
+    out: Option<PathBuf>,
+    /// Replace one value of the configs; may be repeated
+    #[arg(long, value_name = "KEY=VALUE")]
+    set: Vec<String>,
+    #[command(flatten)]
+    threads: Threads,
+    /// No progress on stderr
+    #[arg(long)]
+    quiet: bool,
+}
+
+impl Run {
+    pub fn run(&self) -> anyhow::Result<ExitCode> {
+        // All configs are read before any runs: a slip in the last is told at once.
+        let recipes = self.recipes()?;
+        let mut summary = Vec::new();
+        let mut worst = 0;
+        for recipe in &recipes {
+            let folder = self.output_folder(&recipe.name);
+            if recipes.len() > 1 && !self.quiet {
+                super::say(&format!("── {} ──", recipe.name));
+            }
+            let outcome = self.threads.install(|| self.run_one(recipe, &folder))?;
+            let (code, words) = match outcome {
+                Ok(report) => conclude(&report)?,
+                Err(error) => {
+                    let code = error.exit_code();
+                    super::say_error(&error.into());
+                    (code, "failed".into())
+                }
+            };
+            worst = worst.max(code);
+            summary.push(format!("{}: {words} → {}\n", recipe.name, folder.display()));
+        }
+        super::print(&summary.concat())?;
+        Ok(ExitCode::from(worst))
+    }
+
+    fn recipes(&self) -> Result<Vec<Recipe>, Error> {
+        let load = |path: &PathBuf| Recipe::load(path, &self.set).map_err(Error::from);
+        let recipes: Vec<Recipe> = self.configs.iter().map(load).collect::<Result<_, _>>()?;
+        Ok(recipes)
+    }
+
+    fn output_folder(&self, name: &str) -> PathBuf {
+        match &self.out {
+            Some(folder) if self.configs.len() == 1 => folder.clone(),
+            Some(folder) => folder.join(name),
+            None => Path::new("out").join(name),
+        }
+    }
+
+    fn run_one(&self, recipe: &Recipe, folder: &Path) -> Result<Report, Error> {
+        let display = Display::new(self.quiet);
+        octruss::run(recipe, folder, &|stage, stages, label, news| {
+            display.show(stage, stages, label, news);
+        })
+    }
+}
+
+/// Prints what a run found; tells how it went, as exit code and in words.
+fn conclude(report: &Report) -> anyhow::Result<(u8, String)> {
+    super::print(&comparison::of_solves(report))?;
+    let missed: Vec<_> = report.expectations.iter().filter(|outcome| !outcome.met).collect();
+    for outcome in &missed {
+        super::say(&format!("error: expectation missed: {outcome}"));
+    }
+    let memory = report
+        .peak_memory_bytes
+        .map_or_else(String::new, |bytes| format!(", at most {} of memory", amount::bytes(bytes)));
+    let expected = match (missed.len(), report.expectations.len()) {
+        (_, 0) => String::new(),
+        (0, all) => format!(", all {all} expectations met"),
+        (some, all) => format!(", {some} of {all} expectations missed"),
+    };
+    let code = u8::from(!missed.is_empty());
+    let verdict = if code == 0 { "good" } else { "failed" };
+    Ok((code, format!("{verdict} in {:.1} s{memory}{expected}", report.seconds)))
+}

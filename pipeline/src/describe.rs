@@ -1,0 +1,250 @@
+//! A mesh in numbers, sound or not.
+
+use std::borrow::Cow;
+
+use octruss_mesh::check::parts;
+use octruss_mesh::quality::{QualitySummary, summarise};
+use octruss_mesh::reference_tet::six_volumes;
+use octruss_mesh::{Finding, FindingKind, RawMesh, Tagged, Topology, findings};
+use octruss_meshio::{Dataset, Field};
+use serde::Serialize;
+
+/// What `octruss info` tells. Tets and tagged simplices that name vertices
+/// which do not exist are counted in `findings` alone.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Description {
+    /// Points of the file.
+    pub vertices: usize,
+    /// Tets of the file.
+    pub tets: usize,
+    /// Edges of tets, tagged triangles and tagged edges.
+    pub edges: usize,
+    /// Faces of exactly one tet.
+    pub boundary_faces: usize,
+    /// Groups of tets.
+    pub regions: Vec<Region>,
+    /// Groups of triangles.
+    pub surfaces: Vec<Surface>,
+    /// The sum of the tets' signed volumes, in cubed mesh units.
+    pub volume: f64,
+    /// Parts that share no vertex.
+    pub components: usize,
+    /// None without tets.
+    pub quality: Option<Quality>,
+    /// Fields on vertices.
+    pub point_fields: Vec<FieldReport>,
+    /// Fields on tets.
+    pub cell_fields: Vec<FieldReport>,
+    /// Only what is wrong or remarkable.
+    pub findings: Vec<FindingReport>,
+    /// What the reader left out or changed.
+    pub notes: Vec<String>,
+}
+
+/// A group of tets.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Region {
+    /// The name, or the id in digits.
+    pub name: String,
+    /// The number by which tets refer to it.
+    pub id: i32,
+    /// How many tets belong to it.
+    pub count: usize,
+    /// Their signed volume.
+    pub volume: f64,
+}
+
+/// A group of triangles.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Surface {
+    /// The name, or the id in digits.
+    pub name: String,
+    /// The number by which triangles refer to it.
+    pub id: i32,
+    /// How many triangles belong to it.
+    pub count: usize,
+    /// Their area.
+    pub area: f64,
+}
+
+/// The shapes of all tets.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Quality {
+    /// The worst mean ratio η: 1 regular, 0 flat, negative inverted.
+    pub eta_min: f64,
+    /// The mean of η.
+    pub eta_mean: f64,
+    /// How many tets have η in each tenth from 0 to 1.
+    pub eta_histogram: Vec<usize>,
+    /// The smallest angle between two faces of a tet, in degrees.
+    pub dihedral_min_deg: f64,
+    /// The greatest.
+    pub dihedral_max_deg: f64,
+    /// The worst radius ratio.
+    pub radius_ratio_min: f64,
+    /// The mean of the radius ratios.
+    pub radius_ratio_mean: f64,
+}
+
+/// A field by name.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct FieldReport {
+    /// The name.
+    pub name: String,
+    /// Values a vertex or tet.
+    pub components: usize,
+}
+
+/// A finding by name.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct FindingReport {
+    /// The kind, in kebab case.
+    pub kind: &'static str,
+    /// How often.
+    pub count: usize,
+    /// The first few places, as numbers of tets or vertices from 0.
+    pub examples: Vec<u32>,
+    /// All that, and what to do, in a sentence.
+    pub message: String,
+}
+
+impl From<&Finding> for FindingReport {
+    fn from(finding: &Finding) -> Self {
+        Self {
+            kind: finding.kind.name(),
+            count: finding.count,
+            examples: finding.examples.clone(),
+            message: finding.to_string(),
+        }
+    }
+}
+
+impl From<QualitySummary> for Quality {
+    fn from(summary: QualitySummary) -> Self {
+        Self {
+            eta_min: summary.eta_min,
+            eta_mean: summary.eta_mean,
+            eta_histogram: summary.eta_histogram.to_vec(),
+            dihedral_min_deg: summary.dihedral_min_deg,
+            dihedral_max_deg: summary.dihedral_max_deg,
+            radius_ratio_min: summary.radius_ratio_min,
+            radius_ratio_mean: summary.radius_ratio_mean,
+        }
+    }
+}
+
+/// Counts and measures a mesh, also a broken one.
+///
+/// ```
+/// use octruss_meshio::Dataset;
+/// let mesh = octruss_mesh::shapes::kuhn_cube(1).into_raw();
+/// let cube = octruss::describe(&Dataset { mesh, ..Dataset::default() });
+/// assert_eq!((cube.tets, cube.edges, cube.boundary_faces), (6, 19, 12));
+/// assert_eq!((cube.volume, cube.components), (1.0, 1));
+/// assert!(cube.findings.is_empty());
+/// ```
+pub fn describe(dataset: &Dataset) -> Description {
+    let findings = findings(&dataset.mesh);
+    let broken = findings.iter().any(|finding| finding.kind == FindingKind::IndexOutOfRange);
+    let mesh = if broken {
+        Cow::Owned(in_range(dataset.mesh.clone()))
+    } else {
+        Cow::Borrowed(&dataset.mesh)
+    };
+    let topology = Topology::new(&mesh);
+    let is_boundary = |&face: &usize| topology.is_boundary(face);
+    Description {
+        vertices: dataset.mesh.points.len(),
+        tets: dataset.mesh.tets.len(),
+        edges: topology.edges().len(),
+        boundary_faces: (0..topology.faces().len()).filter(is_boundary).count(),
+        regions: regions(&mesh),
+        surfaces: surfaces(&mesh),
+        volume: mesh.tets.iter().map(|tet| volume(&mesh, tet)).sum(),
+        components: parts(&mesh).len(),
+        quality: summarise(&mesh).map(Quality::from),
+        point_fields: dataset.point_fields.iter().map(field_report).collect(),
+        cell_fields: dataset.cell_fields.iter().map(field_report).collect(),
+        findings: findings.iter().map(FindingReport::from).collect(),
+        notes: dataset.notes.clone(),
+    }
+}
+
+fn field_report(field: &Field) -> FieldReport {
+    FieldReport { name: field.name.clone(), components: field.components }
+}
+
+/// The mesh without simplices that name vertices which do not exist.
+fn in_range(mut mesh: RawMesh) -> RawMesh {
+    let count = mesh.points.len();
+    let sound: Vec<bool> =
+        mesh.tets.iter().map(|tet| tet.iter().all(|&v| (v as usize) < count)).collect();
+    let mut keep = sound.iter();
+    mesh.regions.retain(|_| *keep.next().unwrap_or(&false));
+    let mut keep = sound.iter();
+    mesh.tets.retain(|_| *keep.next().unwrap_or(&false));
+    mesh.triangles = tagged_in_range(&mesh.triangles, count);
+    mesh.edges = tagged_in_range(&mesh.edges, count);
+    mesh.vertices = tagged_in_range(&mesh.vertices, count);
+    mesh.features = None;
+    mesh
+}
+
+fn tagged_in_range<const N: usize>(tagged: &Tagged<N>, count: usize) -> Tagged<N> {
+    let mut kept = Tagged::default();
+    for (simplex, tag) in tagged.iter() {
+        if simplex.iter().all(|&v| (v as usize) < count) {
+            kept.push(simplex, tag);
+        }
+    }
+    kept
+}
+
+fn regions(mesh: &RawMesh) -> Vec<Region> {
+    let region = |id| {
+        let tets = mesh.tets.iter().zip(&mesh.regions).filter(|&(_, &region)| region == id);
+        let volumes: Vec<f64> = tets.map(|(tet, _)| volume(mesh, tet)).collect();
+        Region {
+            name: mesh.group_name(3, id),
+            id,
+            count: volumes.len(),
+            volume: volumes.iter().sum(),
+        }
+    };
+    group_ids(mesh, 3).into_iter().map(region).collect()
+}
+
+fn surfaces(mesh: &RawMesh) -> Vec<Surface> {
+    let surface = |id| {
+        let triangles = mesh.triangles.iter().filter(|&(_, tag)| tag == id);
+        let areas: Vec<f64> = triangles.map(|(triangle, _)| area(mesh, triangle)).collect();
+        Surface {
+            name: mesh.group_name(2, id),
+            id,
+            count: areas.len(),
+            area: areas.iter().sum(),
+        }
+    };
+    group_ids(mesh, 2).into_iter().map(surface).collect()
+}
+
+/// Ids of groups that are named or in use, ascending.
+fn group_ids(mesh: &RawMesh, dimension: u8) -> Vec<i32> {
+    let named = mesh.groups.iter().filter(|group| group.dimension == dimension);
+    let mut ids: Vec<i32> = named.map(|group| group.id).chain(mesh.ids(dimension)).collect();
+    ids.sort_unstable();
+    ids.dedup();
+    ids
+}
+
+fn volume(mesh: &RawMesh, tet: &[u32; 4]) -> f64 {
+    six_volumes(tet.map(|v| mesh.points[v as usize])) / 6.0
+}
+
+fn area(mesh: &RawMesh, triangle: [u32; 3]) -> f64 {
+    let [o, a, b] = triangle.map(|v| mesh.points[v as usize]);
+    let [a, b] = [a, b].map(|p| [p[0] - o[0], p[1] - o[1], p[2] - o[2]]);
+    let normal =
+        [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]];
+    normal.iter().map(|x| x * x).sum::<f64>().sqrt() / 2.0
+}

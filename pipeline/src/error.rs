@@ -1,0 +1,77 @@
+//! Everything that can stop a run.
+
+use std::path::PathBuf;
+
+use octruss_mesh::SubdivideError;
+use octruss_mesh::check::CheckError;
+
+use crate::recipe::ConfigError;
+
+/// Why a run stopped.
+#[derive(Debug, thiserror::Error)]
+#[non_exhaustive]
+pub enum Error {
+    /// The config, or a part of it that only the run could check.
+    #[error(transparent)]
+    Config(#[from] ConfigError),
+    /// A mesh file could not be read or written.
+    #[error(transparent)]
+    File(#[from] octruss_meshio::Error),
+    /// The mesh has faults that refining and solving cannot live with.
+    #[error("{}: {source}", path.display())]
+    Unsound {
+        /// The mesh file.
+        path: PathBuf,
+        /// The findings.
+        source: CheckError,
+    },
+    /// A level could not be made.
+    #[error("stage `{stage}`: {source}")]
+    Subdivide {
+        /// The stage's label.
+        stage: String,
+        /// What stopped it.
+        source: SubdivideError,
+    },
+    /// The problem could not be solved.
+    #[error("stage `{stage}`, {what}: {source}")]
+    Solve {
+        /// The stage's label.
+        stage: String,
+        /// What was being done, such as `linear prolongation`.
+        what: String,
+        /// What stopped it.
+        source: octruss_solver::Error,
+    },
+    /// A stage asks for something that its mesh or its levels do not offer.
+    #[error("stage `{stage}`: {message}")]
+    Request {
+        /// The stage's label.
+        stage: String,
+        /// What was asked for, and what is there.
+        message: String,
+    },
+    /// A stage stands before the one whose result it needs.
+    #[error("stage `{stage}` needs a stage `{needs}` before it")]
+    Order {
+        /// The stage's label.
+        stage: String,
+        /// The kind of stage that is missing.
+        needs: &'static str,
+    },
+    /// The output folder cannot be made or written.
+    #[error("cannot write to {}: {reason}", path.display())]
+    Output {
+        /// The folder or file.
+        path: PathBuf,
+        /// Why.
+        reason: String,
+    },
+}
+
+impl Error {
+    /// What a process should return: 2 for a wrong config, else 1.
+    pub fn exit_code(&self) -> u8 {
+        if matches!(self, Self::Config(_)) { 2 } else { 1 }
+    }
+}

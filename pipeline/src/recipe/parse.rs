@@ -1,0 +1,130 @@
+//! From the text of a config to a recipe.
+
+use std::collections::BTreeMap;
+use std::path::Path;
+
+use serde::Deserialize;
+use serde::de::IgnoredAny;
+use toml::Spanned;
+use toml::de::{DeArray, DeTable, DeValue, ValueDeserializer};
+
+use super::error::ConfigError;
+use super::expect::{Bounds, Expectation};
+use super::explain::explain;
+use super::labels::labels_of_trees;
+use super::override_::{self, Tree};
+use super::source::Source;
+use super::{Recipe, suggestion};
+use crate::stages::Stage;
+
+/// All of a config but its stages.
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct Header {
+    name: Spanned<String>,
+    #[serde(rename = "stage", default)]
+    _stages: IgnoredAny,
+    #[serde(default)]
+    expect: BTreeMap<Spanned<String>, Bounds>,
+}
+
+/// Reads a config; see [`Recipe::parse`].
+pub fn parse(path: &Path, text: String, overrides: &[String]) -> Result<Recipe, ConfigError> {
+    let source = Source::new(path.into(), text, overrides);
+    let document = DeTable::parse(source.text()).map_err(|error| {
+        source.error(&error.span().unwrap_or(0..0), error.message().trim_end())
+    })?;
+    let mut root = Spanned::new(document.span(), DeValue::Table(document.into_inner()));
+    for given in source.overrides() {
+        override_::apply(&mut root, given, &source)?;
+    }
+    let header = read_header(&root, &source)?;
+    let stages = read_stages(&root, &source)?;
+    let expectations = header.expect.into_iter().map(|(name, bounds)| Expectation {
+        place: source.place(&name.span()),
+        name: name.into_inner(),
+        bounds,
+    });
+    Ok(Recipe {
+        name: header.name.into_inner(),
+        folder: path.parent().unwrap_or(Path::new("")).into(),
+        stages,
+        expectations: expectations.collect(),
+    })
+}
+
+fn read_header(root: &Tree, source: &Source) -> Result<Header, ConfigError> {
+    let header: Header = deserialize(root.clone(), None, source)?;
+    let name = header.name.get_ref();
+    if name.is_empty() || name.starts_with('.') || name.contains(['/', '\\']) {
+        let message = format!("`name` is \"{name}\", but it must do as the name of a folder");
+        return Err(source.error(&header.name.span(), message));
+    }
+    Ok(header)
+}
+
+fn read_stages(root: &Tree, source: &Source) -> Result<Vec<Stage>, ConfigError> {
+    let list = stage_list(root, source)?;
+    let labels = labels_of_trees(list);
+    let mut stages: Vec<Stage> = Vec::new();
+    for (tree, label) in list.iter().zip(&labels) {
+        let stage: Stage = deserialize(by_kind(tree, source)?, Some(label), source)?;
+        if let Some(needed) = stage.needs()
+            && !stages.iter().any(|before| before.kind() == needed)
+        {
+            let message = format!("stage `{label}` needs a stage `{needed}` before it");
+            return Err(source.error(&tree.span(), message));
+        }
+        stages.push(stage);
+    }
+    Ok(stages)
+}
+
+fn stage_list<'t, 'a>(root: &'t Tree<'a>, source: &Source) -> Result<&'t DeArray<'a>, ConfigError> {
+    let wrong = |span, found: &str| {
+        let message = format!("{found}: every step is a table headed [[stage]] with a `kind`");
+        source.error(&span, message)
+    };
+    let Some(list) = root.get_ref().get("stage") else {
+        return Err(wrong(0..0, "the config has no stage"));
+    };
+    match list.get_ref() {
+        DeValue::Array(entries) if entries.is_empty() => {
+            Err(wrong(list.span(), "the config has no stage"))
+        }
+        DeValue::Array(entries) => Ok(entries),
+        other => Err(wrong(list.span(), &format!("`stage` is one {}", other.type_str()))),
+    }
+}
+
+/// Turns `{ kind = K, … }` into `{ K = { … } }`, which is how serde spells a
+/// choice without losing the places of what is inside.
+fn by_kind<'a>(stage: &Tree<'a>, source: &Source) -> Result<Tree<'a>, ConfigError> {
+    let DeValue::Table(mut options) = stage.get_ref().clone() else {
+        return Err(source.error(&stage.span(), "a stage is a table with a `kind`"));
+    };
+    let kind = options.remove("kind").ok_or_else(|| {
+        let message = format!("a stage needs a `kind` (valid: {})", Stage::KINDS.join(", "));
+        source.error(&stage.span(), message)
+    })?;
+    let span = kind.span();
+    let DeValue::String(name) = kind.into_inner() else {
+        return Err(source.error(&span, "`kind` must be a string"));
+    };
+    if !Stage::KINDS.contains(&name.as_ref()) {
+        let message = format!("unknown kind of stage `{name}`{}", suggestion(&name, &Stage::KINDS));
+        return Err(source.error(&span, message));
+    }
+    let options = Spanned::new(stage.span(), DeValue::Table(options));
+    let choice = DeTable::from_iter([(Spanned::new(span.clone(), name), options)]);
+    Ok(Spanned::new(span, DeValue::Table(choice)))
+}
+
+fn deserialize<'de, T: Deserialize<'de>>(
+    tree: Tree<'de>,
+    stage: Option<&str>,
+    source: &Source,
+) -> Result<T, ConfigError> {
+    T::deserialize(ValueDeserializer::from(tree.clone()))
+        .map_err(|error| explain(&error, &tree, stage, source))
+}

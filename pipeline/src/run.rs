@@ -1,0 +1,66 @@
+//! The run: a loop over stages.
+
+use std::path::Path;
+use std::time::Instant;
+
+use crate::error::Error;
+use crate::progress::{Listener, News, Progress};
+use crate::recipe::{Recipe, compare, stage_labels};
+use crate::report::{Report, StageReport};
+use crate::stages::{Context, Stage};
+use crate::state::State;
+use crate::{memory, output};
+
+/// Runs a recipe's stages in order, writes `report.json` into `output_folder`
+/// (made if missing) and compares the report with what was expected.
+///
+/// Missed expectations are no error: they are in [`Report::expectations`].
+///
+/// # Errors
+/// Whatever stops a stage, and then no report is written; an output folder that
+/// cannot be written, before anything runs; an expectation of a number that the
+/// report does not have, after the report is written.
+pub fn run(recipe: &Recipe, output_folder: &Path, listener: &Listener) -> Result<Report, Error> {
+    output::check_folder(output_folder)?;
+    let start = Instant::now();
+    let (_, stages) = run_stages(&recipe.stages, &recipe.folder, output_folder, listener)?;
+    let mut report = Report {
+        octruss: env!("CARGO_PKG_VERSION"),
+        config: recipe.name.clone(),
+        threads: rayon::current_num_threads(),
+        seconds: start.elapsed().as_secs_f64(),
+        peak_memory_bytes: memory::peak_bytes(),
+        stages,
+        expectations: Vec::new(),
+    };
+    let compared = compare(&recipe.expectations, &report);
+    report.expectations = compared.as_ref().map_or_else(|_| Vec::new(), Clone::clone);
+    output::write_report(output_folder, &report)?;
+    compared?;
+    Ok(report)
+}
+
+/// Runs stages in order; returns what they made and what they did.
+///
+/// # Errors
+/// Whatever stops a stage.
+pub fn run_stages(
+    stages: &[Stage],
+    input_folder: &Path,
+    output_folder: &Path,
+    listener: &Listener,
+) -> Result<(State, Vec<StageReport>), Error> {
+    let mut state = State::default();
+    let mut reports = Vec::new();
+    for (index, (stage, label)) in stages.iter().zip(stage_labels(stages)).enumerate() {
+        let progress = Progress { stage: index + 1, stages: stages.len(), label: &label, listener };
+        let context = Context { input_folder, output_folder, progress };
+        context.progress.tell(News::Started);
+        let start = Instant::now();
+        let done = stage.run(&mut state, &context)?;
+        let seconds = start.elapsed().as_secs_f64();
+        context.progress.tell(News::Finished { summary: done.summary(), seconds });
+        reports.push(StageReport { name: label, seconds, done });
+    }
+    Ok((state, reports))
+}

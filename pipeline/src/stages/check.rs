@@ -1,0 +1,74 @@
+//! From what a file says to a mesh that can be worked with.
+
+use octruss_mesh::{CheckOptions, Checked, Finding};
+use octruss_meshio::{Field, Values};
+use serde::{Deserialize, Serialize};
+
+use super::Context;
+use crate::describe::FindingReport;
+use crate::error::Error;
+use crate::state::State;
+
+/// Refuses a mesh that refining and solving cannot live with; drops vertices
+/// that nothing uses.
+#[derive(Debug, Clone, Default, PartialEq, Deserialize)]
+#[serde(deny_unknown_fields, rename_all = "kebab-case", default)]
+pub struct Check {
+    /// Turn inverted tets over instead of refusing them.
+    pub reorient: bool,
+}
+
+/// What was found; nothing of it stopped the run.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct CheckReport {
+    /// Vertices kept.
+    pub vertices: usize,
+    /// Tets, all of positive volume.
+    pub tets: usize,
+    /// Repaired faults and remarks.
+    pub findings: Vec<FindingReport>,
+    #[serde(skip)]
+    messages: Vec<String>,
+}
+
+impl Check {
+    pub(super) fn run(&self, state: &mut State, context: &Context) -> Result<CheckReport, Error> {
+        let dataset = state.dataset.take().ok_or_else(|| context.order("import"))?;
+        let options = CheckOptions { reorient: self.reorient };
+        let Checked { mesh, findings, kept_vertices } =
+            octruss_mesh::check(dataset.mesh, &options)
+                .map_err(|source| Error::Unsound { path: state.path.clone(), source })?;
+        state.point_fields = match kept_vertices {
+            Some(kept) => dataset.point_fields.iter().map(|field| subset(field, &kept)).collect(),
+            None => dataset.point_fields,
+        };
+        state.cell_fields = dataset.cell_fields;
+        let report = CheckReport {
+            vertices: mesh.points().len(),
+            tets: mesh.tets().len(),
+            findings: findings.iter().map(FindingReport::from).collect(),
+            messages: findings.iter().map(Finding::to_string).collect(),
+        };
+        state.mesh = Some(mesh);
+        Ok(report)
+    }
+}
+
+impl CheckReport {
+    pub(super) fn summary(&self) -> String {
+        if self.messages.is_empty() { "sound".into() } else { self.messages.join("\n  ") }
+    }
+}
+
+/// The tuples of a field that belong to the vertices kept.
+fn subset(field: &Field, kept: &[u32]) -> Field {
+    fn pick<T: Copy>(values: &[T], components: usize, kept: &[u32]) -> Vec<T> {
+        let tuple = |&v: &u32| &values[v as usize * components..][..components];
+        kept.iter().flat_map(tuple).copied().collect()
+    }
+    let values = match &field.values {
+        Values::Float(values) => Values::Float(pick(values, field.components, kept)),
+        Values::Integer(values) => Values::Integer(pick(values, field.components, kept)),
+    };
+    Field { values, ..field.clone() }
+}

@@ -1,0 +1,137 @@
+//! The steps of a run: one file each, with its options, what it does and what
+//! it reports.
+
+mod check;
+mod groups;
+mod import;
+mod multigrid;
+mod poisson;
+mod solve;
+mod subdivide;
+mod write;
+
+use std::path::Path;
+
+use serde::{Deserialize, Serialize};
+
+pub use check::{Check, CheckReport};
+pub use import::{Import, ImportReport};
+pub use multigrid::SolveFigures;
+pub use solve::{OnSurface, Problem, Solve, SolveReport};
+pub use subdivide::{LevelReport, Subdivide, SubdivideReport};
+pub use write::{Write, WriteReport};
+
+use crate::error::Error;
+use crate::progress::Progress;
+use crate::state::State;
+
+/// One step with its options.
+#[derive(Debug, Clone, PartialEq, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Stage {
+    /// Reads a mesh file.
+    Import(Import),
+    /// Refuses or repairs an unsound mesh.
+    Check(Check),
+    /// Refines the mesh.
+    Subdivide(Subdivide),
+    /// Solves a problem on the finest mesh.
+    Solve(Solve),
+    /// Writes meshes and fields for ParaView.
+    Write(Write),
+}
+
+/// What one step did.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[serde(untagged)]
+pub enum Done {
+    /// Of [`Stage::Import`].
+    Import(ImportReport),
+    /// Of [`Stage::Check`].
+    Check(CheckReport),
+    /// Of [`Stage::Subdivide`].
+    Subdivide(SubdivideReport),
+    /// Of [`Stage::Solve`].
+    Solve(SolveReport),
+    /// Of [`Stage::Write`].
+    Write(WriteReport),
+}
+
+/// Where a stage works.
+pub struct Context<'a> {
+    /// What input paths are relative to.
+    pub input_folder: &'a Path,
+    /// Where output goes.
+    pub output_folder: &'a Path,
+    /// Whom to tell how far it is.
+    pub progress: Progress<'a>,
+}
+
+impl Context<'_> {
+    /// An error about something this stage asks for.
+    fn request(&self, message: String) -> Error {
+        Error::Request { stage: self.progress.label.into(), message }
+    }
+
+    /// An error of the solver, with what it was doing.
+    fn solver(&self, what: &str, source: octruss_solver::Error) -> Error {
+        Error::Solve { stage: self.progress.label.into(), what: what.into(), source }
+    }
+
+    /// An error about a stage that should have run before.
+    fn order(&self, needs: &'static str) -> Error {
+        Error::Order { stage: self.progress.label.into(), needs }
+    }
+}
+
+impl Stage {
+    /// Every kind, as configs call it.
+    pub const KINDS: [&'static str; 5] = ["import", "check", "subdivide", "solve", "write"];
+
+    /// The kind, as configs call it.
+    pub fn kind(&self) -> &'static str {
+        match self {
+            Self::Import(_) => "import",
+            Self::Check(_) => "check",
+            Self::Subdivide(_) => "subdivide",
+            Self::Solve(_) => "solve",
+            Self::Write(_) => "write",
+        }
+    }
+
+    /// The kind of stage whose result this one works on.
+    pub fn needs(&self) -> Option<&'static str> {
+        match self {
+            Self::Import(_) => None,
+            Self::Check(_) => Some("import"),
+            Self::Subdivide(_) | Self::Solve(_) | Self::Write(_) => Some("check"),
+        }
+    }
+
+    /// Does it.
+    ///
+    /// # Errors
+    /// Whatever stops the stage; the state is then not to be used further.
+    pub fn run(&self, state: &mut State, context: &Context) -> Result<Done, Error> {
+        match self {
+            Self::Import(options) => options.run(state, context).map(Done::Import),
+            Self::Check(options) => options.run(state, context).map(Done::Check),
+            Self::Subdivide(options) => options.run(state, context).map(Done::Subdivide),
+            Self::Solve(options) => options.run(state, context).map(Done::Solve),
+            Self::Write(options) => options.run(state, context).map(Done::Write),
+        }
+    }
+}
+
+impl Done {
+    /// The outcome in a line.
+    pub fn summary(&self) -> String {
+        match self {
+            Self::Import(report) => report.summary(),
+            Self::Check(report) => report.summary(),
+            Self::Subdivide(report) => report.summary(),
+            Self::Solve(report) => report.summary(),
+            Self::Write(report) => report.summary(),
+        }
+    }
+}

@@ -1,0 +1,155 @@
+//! One solve with one prolongation, and its figures.
+
+use std::borrow::Cow;
+use std::ops::ControlFlow;
+use std::time::Instant;
+
+use octruss_mesh::{Hierarchy, Scheme, SubdivisionMatrix, linear_matrix};
+use octruss_solver::{
+    Csr, Dofs, Error, Multigrid, MultigridOptions, Poisson, Smoother, SolveOptions, System,
+    conjugate_gradients, restrict_to_free,
+};
+use serde::Serialize;
+
+use super::Context;
+use super::solve::Solve;
+use crate::progress::News;
+
+/// What one solve took and reached.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct SolveFigures {
+    /// By which expectations call it: the prolongation.
+    pub name: &'static str,
+    /// The scheme whose matrices prolong.
+    pub prolongation: &'static str,
+    /// Free unknowns on the finest level.
+    pub unknowns: usize,
+    /// How many levels the cycle has.
+    pub levels: usize,
+    /// Stored entries of the finest matrix.
+    pub nonzeros: usize,
+    /// Stored entries of all levels' matrices.
+    pub nonzeros_all_levels: usize,
+    /// Those over these: all levels over the finest.
+    pub operator_complexity: f64,
+    /// Unknowns of all levels over those of the finest.
+    pub grid_complexity: f64,
+    /// For each transfer, the coarsest first, how far it misses linear functions,
+    /// in mean edge lengths.
+    pub affine_defects: Vec<f64>,
+    /// Conjugate-gradient iterations, one cycle each.
+    pub iterations: usize,
+    /// ‖b − A x‖ / ‖b‖ at the end.
+    pub relative_residual: f64,
+    /// Relative residuals from 1 on, one more than iterations.
+    pub residual_history: Vec<f64>,
+    /// The factor by which an iteration reduces the residual, geometric mean.
+    pub mean_reduction: f64,
+    /// Work for a decimal digit of the residual, in products with the finest
+    /// matrix: a cycle and the product of the iteration itself.
+    pub work_per_digit: f64,
+    /// Prolongations, coarse matrices, factors.
+    pub setup_seconds: f64,
+    /// Iterating.
+    pub solve_seconds: f64,
+}
+
+impl SolveFigures {
+    /// The outcome in a few words.
+    pub fn result(&self) -> String {
+        format!("{} iterations, residual {:.1e}", self.iterations, self.relative_residual)
+    }
+}
+
+/// Solves an assembled problem; a value for each vertex of the finest mesh.
+///
+/// # Errors
+/// Whatever the solver reports.
+pub fn solve_with(
+    options: &Solve,
+    scheme: Scheme,
+    hierarchy: &Hierarchy,
+    (problem, system): (&Poisson, &System),
+    context: &Context,
+) -> Result<(Vec<f64>, SolveFigures), Error> {
+    let start = Instant::now();
+    let matrices = subdivision_matrices(hierarchy, scheme);
+    let prolongations = prolongations(hierarchy, &matrices, problem, system)?;
+    let mut multigrid =
+        Multigrid::new(&system.matrix, prolongations, &multigrid_options(options))?;
+    let setup_seconds = start.elapsed().as_secs_f64();
+    let tell = |iteration: usize, residual: f64| {
+        context.progress.tell(News::Note(format!("iteration {iteration}, residual {residual:.1e}")));
+        ControlFlow::Continue(())
+    };
+    let stop = SolveOptions {
+        tolerance: options.tolerance.0,
+        max_iterations: options.max_iterations,
+        progress: Some(&tell),
+    };
+    let (x, report) = conjugate_gradients(&system.matrix, &system.rhs, &mut multigrid, &stop)?;
+    let digits = -report.relative_residual.log10();
+    let cycles = report.iterations as f64;
+    let defect = |(transfer, matrix): (usize, &Cow<SubdivisionMatrix>)| {
+        hierarchy.affine_defect(transfer, matrix)
+    };
+    let figures = SolveFigures {
+        name: scheme.name(),
+        prolongation: scheme.name(),
+        unknowns: system.dofs.unknowns(),
+        levels: multigrid.levels().len(),
+        nonzeros: system.matrix.nonzeros(),
+        nonzeros_all_levels: multigrid.levels().iter().map(|level| level.nonzeros).sum(),
+        operator_complexity: multigrid.operator_complexity(),
+        grid_complexity: multigrid.grid_complexity(),
+        affine_defects: matrices.iter().enumerate().map(defect).collect(),
+        iterations: report.iterations,
+        relative_residual: report.relative_residual,
+        residual_history: report.residual_history,
+        mean_reduction: report.relative_residual.powf(1.0 / cycles),
+        work_per_digit: cycles * (multigrid.work_units() + 1.0) / digits,
+        setup_seconds,
+        solve_seconds: report.solve_seconds,
+    };
+    Ok((system.expand(&x)?, figures))
+}
+
+/// The matrices of all transfers, coarsest first. The linear ones are made here
+/// unless they refined the mesh; others are those that did.
+fn subdivision_matrices(hierarchy: &Hierarchy, scheme: Scheme) -> Vec<Cow<'_, SubdivisionMatrix>> {
+    let transfers = hierarchy.refinements.iter().zip(&hierarchy.topologies);
+    let matrix = |(refinement, topology)| match scheme {
+        Scheme::Linear => Cow::Owned(linear_matrix(topology)),
+        Scheme::BoxSpline => Cow::Borrowed(refinement),
+    };
+    transfers.map(|(refinement, topology)| matrix((&refinement.matrix, topology))).collect()
+}
+
+/// Prolongations between free unknowns, finest first.
+fn prolongations(
+    hierarchy: &Hierarchy,
+    matrices: &[Cow<SubdivisionMatrix>],
+    problem: &Poisson,
+    system: &System,
+) -> Result<Vec<Csr<f64>>, Error> {
+    let mut fine = Cow::Borrowed(&system.dofs);
+    let mut prolongations = Vec::new();
+    for (mesh, matrix) in hierarchy.meshes.iter().zip(matrices).rev() {
+        let coarse = Dofs::new(mesh, &problem.fixed)?;
+        prolongations.push(restrict_to_free(matrix, &fine, &coarse)?);
+        fine = Cow::Owned(coarse);
+    }
+    Ok(prolongations)
+}
+
+fn multigrid_options(options: &Solve) -> MultigridOptions {
+    let defaults = MultigridOptions::default();
+    let smoother = match defaults.smoother {
+        Smoother::Chebyshev { lower, .. } => {
+            Smoother::Chebyshev { degree: options.smoothing_degree.get().into(), lower }
+        }
+        other => other,
+    };
+    let sweeps = options.sweeps.get().into();
+    MultigridOptions { smoother, before: sweeps, after: sweeps, ..defaults }
+}

@@ -95,8 +95,8 @@ fn conclude(report: &Report) -> anyhow::Result<(u8, String)> {
         .map_or_else(String::new, |bytes| format!(", at most {} of memory", amount::bytes(bytes)));
     let expected = match (missed.len(), report.expectations.len()) {
         (_, 0) => String::new(),
-        (0, all) => format!(", all {all} expectations met"),
-        (some, all) => format!(", {some} of {all} expectations missed"),
+        (0, all) => format!(", expectations met: all {all}"),
+        (some, all) => format!(", expectations missed: {some} of {all}"),
     };
     let code = u8::from(!missed.is_empty());
     let verdict = if code == 0 { "good" } else { "failed" };

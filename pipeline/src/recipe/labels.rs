@@ -1,17 +1,15 @@
 //! What a stage is called: by overrides, reports, expectations and errors.
 
-use toml::de::DeValue;
-
 use super::override_::Tree;
 
 /// The label of each stage of an unread list. A stage without a kind is `?`.
 pub fn labels_of_trees(stages: &[Tree]) -> Vec<String> {
-    let kind = |stage: &&Tree| match stage.get_ref() {
-        DeValue::Table(table) => table.get("kind").and_then(|kind| kind.get_ref().as_str()),
-        _ => None,
-    };
-    let kinds: Vec<&str> = stages.iter().map(|stage| kind(&stage).unwrap_or("?")).collect();
+    let kinds: Vec<&str> = stages.iter().map(|stage| kind(stage).unwrap_or("?")).collect();
     labels(&kinds)
+}
+
+fn kind<'t>(stage: &'t Tree) -> Option<&'t str> {
+    stage.get_ref().get("kind")?.get_ref().as_str()
 }
 
 /// A label for each kind: the kind, with `-2`, `-3` … from its second time on.

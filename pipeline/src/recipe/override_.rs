@@ -58,7 +58,8 @@ fn step<'a, 't>(
         }
         DeValue::Array(entries) => {
             let index = entry_index(entries, walked, name)?;
-            Ok(&mut entries[index])
+            let wrong = || format!("`{}` has no entry {index}", walked.join("."));
+            entries.iter_mut().nth(index).ok_or_else(wrong)
         }
         other => Err(format!("`{}` is one {} without keys", walked.join("."), other.type_str())),
     }

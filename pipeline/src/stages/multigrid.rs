@@ -48,6 +48,10 @@ pub struct SolveFigures {
     /// Work for a decimal digit of the residual, in products with the finest
     /// matrix: a cycle and the product of the iteration itself.
     pub work_per_digit: f64,
+    /// The least value at a vertex.
+    pub minimum: f64,
+    /// The greatest value at a vertex.
+    pub maximum: f64,
     /// Prolongations, coarse matrices, factors.
     pub setup_seconds: f64,
     /// Iterating.
@@ -88,6 +92,7 @@ pub fn solve_with(
         progress: Some(&tell),
     };
     let (x, report) = conjugate_gradients(&system.matrix, &system.rhs, &mut multigrid, &stop)?;
+    let solution = system.expand(&x)?;
     let digits = -report.relative_residual.log10();
     let cycles = report.iterations as f64;
     let defect = |(transfer, matrix): (usize, &Cow<SubdivisionMatrix>)| {
@@ -108,14 +113,16 @@ pub fn solve_with(
         residual_history: report.residual_history,
         mean_reduction: report.relative_residual.powf(1.0 / cycles),
         work_per_digit: cycles * (multigrid.work_units() + 1.0) / digits,
+        minimum: solution.iter().copied().fold(f64::INFINITY, f64::min),
+        maximum: solution.iter().copied().fold(f64::NEG_INFINITY, f64::max),
         setup_seconds,
         solve_seconds: report.solve_seconds,
     };
-    Ok((system.expand(&x)?, figures))
+    Ok((solution, figures))
 }
 
-/// The matrices of all transfers, coarsest first. The linear ones are made here
-/// unless they refined the mesh; others are those that did.
+/// The matrices of all transfers, coarsest first. Linear ones are made here; the
+/// box-spline's are those that refined the mesh.
 fn subdivision_matrices(hierarchy: &Hierarchy, scheme: Scheme) -> Vec<Cow<'_, SubdivisionMatrix>> {
     let transfers = hierarchy.refinements.iter().zip(&hierarchy.topologies);
     let matrix = |(refinement, topology)| match scheme {

@@ -80,8 +80,9 @@ impl Write {
         vtu::write(path, solution)?;
         let mut files = vec![path.to_path_buf()];
         if self.surfaces && !solution.mesh.triangles.is_empty() {
-            vtu::write_surfaces(path, solution)?;
-            files.push(vtu::surfaces_path(path));
+            let beside = vtu::surfaces_path(path);
+            vtu::write_surfaces(&beside, solution)?;
+            files.push(beside);
         }
         let bytes = amount::bytes(files.iter().map(|file| size(file)).sum());
         Ok((files, bytes))

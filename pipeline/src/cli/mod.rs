@@ -92,6 +92,7 @@ fn say(text: &str) {
     let _ = writeln!(io::stderr().lock(), "{text}");
 }
 
+/// Prints an error; our messages contain those of their sources.
 fn say_error(error: &anyhow::Error) {
-    say(&format!("error: {error:#}"));
+    say(&format!("error: {error}"));
 }

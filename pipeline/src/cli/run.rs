@@ -3,6 +3,7 @@
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
+use octruss::recipe::{ConfigError, Place};
 use octruss::{Error, Recipe, Report, amount};
 
 use super::progress::Display;
@@ -64,6 +65,13 @@ impl Run {
     fn recipes(&self) -> Result<Vec<Recipe>, Error> {
         let load = |path: &PathBuf| Recipe::load(path, &self.set).map_err(Error::from);
         let recipes: Vec<Recipe> = self.configs.iter().map(load).collect::<Result<_, _>>()?;
+        for (index, recipe) in recipes.iter().enumerate() {
+            if recipes[..index].iter().any(|before| before.name == recipe.name) {
+                let message = format!("another config is called `{}`, too", recipe.name);
+                let place = Place::File(self.configs[index].clone());
+                return Err(ConfigError { place, message }.into());
+            }
+        }
         Ok(recipes)
     }
 

@@ -3,7 +3,7 @@
 use serde::{Deserialize, Serialize};
 
 use super::error::{ConfigError, Place};
-use super::nearest::nearest;
+use super::nearest::suggestion;
 use crate::report::Report;
 
 /// Bounds on one number of the report.
@@ -105,14 +105,17 @@ pub fn compare(
     expectations.iter().map(measure).collect()
 }
 
+/// Lists the numbers of the stage that the name begins with, or of all.
 fn unknown(expected: &Expectation, numbers: &[(String, f64)]) -> ConfigError {
     let names: Vec<&str> = numbers.iter().map(|(name, _)| name.as_str()).collect();
-    let guess = nearest(&expected.name, &names)
-        .map_or_else(String::new, |name| format!("; did you mean `{name}`?"));
+    let stage = |name: &str| name.split('.').next().map(String::from);
+    let related: Vec<&str> =
+        names.iter().copied().filter(|name| stage(name) == stage(&expected.name)).collect();
+    let valid = if related.is_empty() { names } else { related };
     let message = format!(
-        "the report has no number `{}`{guess}\nvalid names:\n  {}",
+        "the report has no number `{}`{}",
         expected.name,
-        names.join("\n  ")
+        suggestion(&expected.name, &valid)
     );
     ConfigError { place: expected.place.clone(), message }
 }

@@ -15,8 +15,10 @@ pub fn explain(error: &Error, tree: &Tree, stage: Option<&str>, source: &Source)
     let span = error.span().unwrap_or_else(|| tree.span());
     let place = stage.map_or_else(String::new, |label| format!(" in stage `{label}`"));
     let message = error.message();
-    let message = if message.starts_with("unknown ") {
-        let what = if message.starts_with("unknown variant") { "value" } else { "key" };
+    let unknown = [("unknown field", "key"), ("unknown variant", "value")]
+        .into_iter()
+        .find(|(start, _)| message.starts_with(start));
+    let message = if let Some((_, what)) = unknown {
         let names = quoted_names(message);
         let (found, valid) = names.split_first().unwrap_or((&"", &[]));
         format!("unknown {what} `{found}`{place}{}", suggestion(found, valid))
@@ -50,6 +52,7 @@ fn in_plain_words(message: &str) -> String {
     let words = [
         ("invalid type: ", "found "),
         ("invalid value: ", "found "),
+        ("expected a nonzero u8", "expected a whole number from 1 to 255"),
         ("expected u8", "expected a whole number from 0 to 255"),
         ("expected u32", "expected a whole number, 0 or more"),
         ("expected usize", "expected a whole number, 0 or more"),

@@ -58,27 +58,28 @@ fn step<'a, 't>(
         }
         DeValue::Array(entries) => {
             let index = entry_index(entries, walked, name)?;
-            let wrong = || format!("`{}` has no entry {index}", walked.join("."));
-            entries.iter_mut().nth(index).ok_or_else(wrong)
+            let (list, count) = (walked.join("."), entries.len());
+            entries.iter_mut().nth(index).ok_or_else(|| {
+                format!("`{list}` has {count} entries, counted from 0, none is `{name}`")
+            })
         }
-        other => Err(format!("`{}` is one {} without keys", walked.join("."), other.type_str())),
+        other => {
+            let found = other.type_str();
+            Err(format!("`{}` is one {found}, no table with keys", walked.join(".")))
+        }
     }
 }
 
 /// Which entry of a list a name means: a stage by its label, others by number.
 fn entry_index(entries: &[Tree], walked: &[String], name: &str) -> Result<usize, String> {
-    if walked == ["stage"] {
-        let labels = labels_of_trees(entries);
-        let labels: Vec<&str> = labels.iter().map(String::as_str).collect();
-        return labels
-            .iter()
-            .position(|&label| label == name)
-            .ok_or_else(|| format!("unknown stage `{name}`{}", suggestion(name, &labels)));
+    if walked != ["stage"] {
+        // What is no number is the number of no entry.
+        return Ok(name.parse().unwrap_or(usize::MAX));
     }
-    let (list, count) = (walked.join("."), entries.len());
-    name.parse().ok().filter(|&index: &usize| index < count).ok_or_else(|| {
-        format!("`{list}` has {count} entries, counted from 0, none is `{name}`")
-    })
+    let labels = labels_of_trees(entries);
+    let labels: Vec<&str> = labels.iter().map(String::as_str).collect();
+    let found = labels.iter().position(|&label| label == name);
+    found.ok_or_else(|| format!("unknown stage `{name}`{}", suggestion(name, &labels)))
 }
 
 /// The names of a dotted key, quoted ones included.

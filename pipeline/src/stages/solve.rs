@@ -130,11 +130,13 @@ impl Solve {
 
     /// The box-spline matrix prolongs well only onto the mesh that it made.
     fn check_prolongations(&self, schemes: &[Scheme], context: &Context) -> Result<(), Error> {
-        if self.prolongation.is_empty() {
-            return Err(context.request("`prolongation` is empty: name at least one".into()));
+        let list = &self.prolongation;
+        if list.is_empty() || (1..list.len()).any(|index| list[..index].contains(&list[index])) {
+            let message = "`prolongation` must name at least one scheme, and none twice";
+            return Err(context.request(message.into()));
         }
         let other = schemes.iter().position(|&scheme| scheme != Scheme::BoxSpline);
-        let asked = self.prolongation.contains(&SchemeName(Scheme::BoxSpline));
+        let asked = list.contains(&SchemeName(Scheme::BoxSpline));
         match other {
             Some(refinement) if asked => Err(context.request(format!(
                 "prolongation `box-spline` needs levels refined by that scheme, but level {} is \

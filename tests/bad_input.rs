@@ -1,0 +1,254 @@
+//! Wrong configs, wrong meshes, wrong places: one clear message each, the right
+//! exit code, nothing half-written.
+
+mod common;
+
+use std::path::Path;
+
+use common::{code, files, octruss, repository, sample, stderr, succeed};
+
+/// A config that runs, for one line to be spoilt. Line numbers count.
+const GOOD: &str = r#"name = "good"
+[[stage]]
+kind = "import"
+path = "MESH"
+[[stage]]
+kind = "check"
+[[stage]]
+kind = "subdivide"
+levels = 1
+scheme = "linear"
+crease-angle = 40
+[[stage]]
+kind = "solve"
+coefficient = { default = 1, cube = 2 }
+fixed = [{ surface = "x0", value = 0 }]
+flux = [{ surface = "x1", value = 1 }]
+prolongation = ["linear"]
+tolerance = 1e-8
+[expect]
+"subdivide.tets" = { min = 2880, max = 2880 }
+"#;
+
+struct Spoilt {
+    /// What is replaced in the good config, and by what.
+    change: [&'static str; 2],
+    /// The place and the start of the message.
+    says: &'static str,
+    code: i32,
+}
+
+const fn spoilt(change: [&'static str; 2], says: &'static str, code: i32) -> Spoilt {
+    Spoilt { change, says, code }
+}
+
+const TABLE: [Spoilt; 29] = [
+    spoilt(["levels", "levles"], "9:1: unknown key `levles` in stage `subdivide`; did you mean `levels`? (valid: ", 2),
+    spoilt(["levels = 1", "levels = -1"], "9:10: `levels` in stage `subdivide`: found integer `-1`, expected a whole number from 0 to 255", 2),
+    spoilt(["levels = 1", "levels = \"one\""], "9:10: `levels` in stage `subdivide`: found string \"one\", expected a whole number", 2),
+    spoilt(["levels = 1", "levels = 1.5"], "9:10: `levels` in stage `subdivide`: found number `1.5`, expected a whole number", 2),
+    spoilt(["levels = 1", "levels = 1\nlevels = 2"], "10:1: duplicate key", 2),
+    spoilt(["levels = 1", "levels = "], "9:10: ", 2),
+    spoilt(["\"linear\"\ncrease", "\"lineer\"\ncrease"], "10:10: `scheme` in stage `subdivide`: unknown scheme `lineer`; did you mean `linear`? (valid: linear, box-spline)", 2),
+    spoilt(["crease-angle = 40", "crease-angle = 200"], "11:16: `crease-angle` in stage `subdivide`: expected an angle from 0 to 180 degrees, found 200", 2),
+    spoilt(["path = \"MESH\"", ""], "2:1: missing key `path` in stage `import`", 2),
+    spoilt(["kind = \"check\"", "kind = \"chekc\""], "6:8: unknown kind of stage `chekc`; did you mean `check`? (valid: import, check, subdivide, solve, write)", 2),
+    spoilt(["kind = \"check\"", "kind = 3"], "6:8: `kind` must be a string", 2),
+    spoilt(["kind = \"check\"", ""], "5:1: a stage needs a `kind` (valid: import, ", 2),
+    spoilt(["[[stage]]\nkind = \"check\"\n", ""], "5:1: stage `subdivide` needs a stage `check` before it", 2),
+    spoilt(["name = \"good\"", "nmae = \"good\""], "1:1: unknown key `nmae`; did you mean `name`? (valid: name, stage, expect)", 2),
+    spoilt(["name = \"good\"", ""], "1:1: missing key `name`", 2),
+    spoilt(["name = \"good\"", "name = \"../good\""], "1:8: `name` is \"../good\", but it must do as the name of a folder", 2),
+    spoilt(["[expect]", "[expects]"], "19:2: unknown key `expects`; did you mean `expect`?", 2),
+    spoilt(["{ min = 2880, max = 2880 }", "{ mim = 2880 }"], "20:22: unknown key `mim`; did you mean `min`? (valid: min, max)", 2),
+    spoilt(["{ min = 2880, max = 2880 }", "{ min = 9, max = 8 }"], "20:20: `subdivide.tets`: no number is at least 9 and at most 8", 2),
+    spoilt(["{ min = 2880, max = 2880 }", "{}"], "20:20: `subdivide.tets`: an expectation needs `min`, `max` or both", 2),
+    spoilt(["\"subdivide.tets\"", "\"subdivide.tetz\""], "20:1: the report has no number `subdivide.tetz`; did you mean `subdivide.tets`?", 2),
+    spoilt(["value = 0", "value = \"sin(x)\""], "15:36: `value` in stage `solve`: found the string \"sin(x)\": expressions are not supported, give a number", 2),
+    spoilt(["default = 1", "default = inf"], "14:27: `default` in stage `solve`: expected a finite number, found inf", 2),
+    spoilt(["tolerance = 1e-8", "tolerance = -1e-8"], "18:13: `tolerance` in stage `solve`: expected a number above 0, found -0.00000001", 2),
+    spoilt(["tolerance = 1e-8", "tolerance = 1e-8\nproblem = \"poison\""], "19:11: unknown value `poison` in stage `solve`; did you mean `poisson`? (valid: poisson)", 2),
+    spoilt(["\"x0\"", "\"bolt\""], "stage `solve`: no surface is called `bolt` (valid: x0, x1, y0, y1, z0, z1)", 1),
+    spoilt(["cube = 2", "cubes = 2"], "stage `solve`: no region is called `cubes`; did you mean `cube`? (valid: cube)", 1),
+    spoilt(["[\"linear\"]", "[\"box-spline\"]"], "stage `solve`: prolongation `box-spline` needs levels refined by that scheme", 1),
+    spoilt(["fixed = [{ surface = \"x0\", value = 0 }]", ""], "stage `solve`, assembly: nothing is fixed", 1),
+];
+
+fn write_config(folder: &Path, text: &str) {
+    let mesh = sample("cube.msh").display().to_string();
+    std::fs::write(folder.join("c.toml"), text.replace("MESH", &mesh)).unwrap();
+}
+
+#[test]
+fn the_config_that_the_table_spoils_is_good() {
+    let folder = tempfile::tempdir().unwrap();
+    write_config(folder.path(), GOOD);
+    succeed(folder.path(), &["run", "c.toml"]);
+}
+
+#[test]
+fn wrong_configs_are_told_with_file_line_and_key() {
+    for Spoilt { change: [from, to], says, code: expected } in TABLE {
+        let folder = tempfile::tempdir().unwrap();
+        assert_eq!(GOOD.matches(from).count(), 1, "`{from}` is once in the good config");
+        write_config(folder.path(), &GOOD.replace(from, to));
+        let output = octruss(folder.path(), &["run", "c.toml", "--quiet"]);
+        let message = stderr(&output);
+        let start = if says.starts_with("stage") { "error: " } else { "error: c.toml:" };
+        assert!(message.starts_with(&format!("{start}{says}")), "`{to}` → {message}");
+        assert!(!message.contains("panicked") && message.lines().count() == 1, "{message}");
+        assert_eq!(code(&output), expected, "{message}");
+        // An unknown expectation shows only after the run, which then is kept.
+        let kept = says.contains("the report has no number");
+        assert_eq!(folder.path().join("out").exists(), kept, "`{to}`");
+    }
+}
+
+#[test]
+fn wrong_overrides_are_told_as_typed() {
+    let config = repository("configs/cube-poisson.toml").display().to_string();
+    for (set, says) in [
+        ("levels", "expected KEY=VALUE"),
+        ("a b=1", "`a b` is not a key"),
+        ("nam=x", "unknown key `nam`; did you mean `name`?"),
+        ("stage=[]", "the config has no stage"),
+        ("stage.subdivide.levles=1", "unknown key `levles` in stage `subdivide`; did you mean `levels`?"),
+        ("stage.subdvide.levels=1", "unknown stage `subdvide`; did you mean `subdivide`? (valid: import,"),
+        ("stage.solve-2.sweeps=1", "unknown stage `solve-2`; did you mean `solve`?"),
+        ("stage.subdivide.levels=-1", "`levels` in stage `subdivide`: found integer `-1`"),
+        ("stage.solve.sweeps=0", "`sweeps` in stage `solve`: found integer `0`, expected a whole number from 1"),
+        ("stage.solve.fixed.6.value=1", "`stage.solve.fixed` has 6 entries, counted from 0, none is `6`"),
+        ("stage.solve.fixed.0.valeu=1", "unknown key `valeu` in stage `solve`; did you mean `value`?"),
+        ("stage.solve.source.cube=1", "`stage.solve.source` is one float, no table with keys"),
+    ] {
+        let folder = tempfile::tempdir().unwrap();
+        let output = octruss(folder.path(), &["run", &config, "--set", set]);
+        let message = stderr(&output);
+        assert!(message.starts_with(&format!("error: --set {set}: {says}")), "{message}");
+        assert_eq!(code(&output), 2, "{message}");
+        assert!(files(folder.path()).is_empty());
+    }
+}
+
+/// Files that are no mesh, or not the one their name says.
+fn write_bad_meshes(folder: &Path) {
+    let gmsh = std::fs::read(sample("cube.msh")).unwrap();
+    let surface_only = "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n3\n1 0 0 0\n2 1 0 0\n\
+        3 0 1 0\n$EndNodes\n$Elements\n1\n1 2 2 1 1 1 2 3\n$EndElements\n";
+    for (name, content) in [
+        ("empty.msh", &b""[..]),
+        ("empty.vtu", b""),
+        ("garbage.msh", b"\xff\xfe\x00\x01"),
+        ("garbage.vtk", b"\xff\xfe\x00\x01"),
+        ("mislabelled.vtu", &gmsh),
+        ("mislabelled.vtk", &gmsh),
+        ("truncated.msh", &gmsh[..gmsh.len() / 2]),
+        ("unknown.stl", b"solid"),
+        ("flat.msh", surface_only.as_bytes()),
+    ] {
+        std::fs::write(folder.join(name), content).unwrap();
+    }
+}
+
+#[test]
+fn bad_meshes_stop_every_command_with_the_file_named() {
+    let folder = tempfile::tempdir().unwrap();
+    write_bad_meshes(folder.path());
+    let before = files(folder.path());
+    let refine = ["--scheme", "linear", "--levels", "1"];
+    for (name, says) in [
+        ("missing.msh", "No such file"),
+        ("empty.msh", "empty"),
+        ("empty.vtu", "empty"),
+        ("garbage.msh", ""),
+        ("garbage.vtk", ""),
+        ("mislabelled.vtu", ".msh"),
+        ("mislabelled.vtk", ".msh"),
+        ("truncated.msh", ""),
+        ("unknown.stl", ".stl"),
+    ] {
+        for arguments in [
+            vec!["info", name],
+            vec!["convert", name, "out.vtu"],
+            [vec!["refine", name, "out.vtu", "--quiet"], refine.to_vec()].concat(),
+        ] {
+            let output = octruss(folder.path(), &arguments);
+            let message = stderr(&output);
+            assert_eq!(code(&output), 1, "{arguments:?}: {message}");
+            assert!(message.starts_with(&format!("error: {name}")), "{arguments:?}: {message}");
+            assert!(message.contains(says) && !message.contains("panicked"), "{message}");
+            assert_eq!(files(folder.path()), before, "{arguments:?}");
+        }
+    }
+}
+
+#[test]
+fn a_mesh_without_tets_is_described_but_not_refined() {
+    let folder = tempfile::tempdir().unwrap();
+    write_bad_meshes(folder.path());
+    let text = succeed(folder.path(), &["info", "flat.msh", "--json"]);
+    let info: serde_json::Value = serde_json::from_str(&text).unwrap();
+    assert_eq!((info["tets"].as_u64(), info["vertices"].as_u64()), (Some(0), Some(3)));
+    assert_eq!(info["findings"][0]["kind"], "no-tets");
+    assert!(info["quality"].is_null());
+    let arguments = ["refine", "flat.msh", "out.vtu", "--scheme", "linear", "--levels", "1"];
+    let output = octruss(folder.path(), &arguments);
+    assert_eq!(code(&output), 1);
+    assert!(stderr(&output).contains("no tets"), "{}", stderr(&output));
+    assert!(!folder.path().join("out.vtu").exists());
+}
+
+/// One tet, once inverted and once with a vertex that does not exist.
+fn one_tet(tet: &str) -> String {
+    format!(
+        "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n4\n1 0 0 0\n2 1 0 0\n3 0 1 0\n4 0 0 1\n\
+         $EndNodes\n$Elements\n1\n1 4 2 1 1 {tet}\n$EndElements\n"
+    )
+}
+
+#[test]
+fn inverted_tets_are_found_and_turned_over_if_asked() {
+    let folder = tempfile::tempdir().unwrap();
+    std::fs::write(folder.path().join("inverted.msh"), one_tet("2 1 3 4")).unwrap();
+    let text = succeed(folder.path(), &["info", "inverted.msh", "--json"]);
+    let info: serde_json::Value = serde_json::from_str(&text).unwrap();
+    assert_eq!(info["findings"][0]["kind"], "inverted-tets");
+    assert_eq!(info["findings"][0]["count"], 1);
+    assert_eq!(info["findings"][0]["examples"], serde_json::json!([0]));
+    let arguments = ["refine", "inverted.msh", "out.vtu", "--scheme", "linear", "--levels", "1"];
+    let output = octruss(folder.path(), &arguments);
+    assert_eq!(code(&output), 1);
+    assert!(stderr(&output).contains("1 inverted tets (tet 0)"), "{}", stderr(&output));
+    assert!(!folder.path().join("out.vtu").exists());
+    succeed(folder.path(), &[&arguments[..], &["--reorient"]].concat());
+    let text = succeed(folder.path(), &["info", "out.vtu", "--json"]);
+    let info: serde_json::Value = serde_json::from_str(&text).unwrap();
+    assert_eq!(info["findings"], serde_json::json!([]));
+    assert!((info["volume"].as_f64().unwrap() - 1.0 / 6.0).abs() < 1e-15);
+}
+
+#[test]
+fn output_that_cannot_be_written_is_told_before_the_work() {
+    let folder = tempfile::tempdir().unwrap();
+    std::fs::write(folder.path().join("file"), "mine").unwrap();
+    let config = repository("configs/cube-poisson.toml").display().to_string();
+    for out in ["file", "file/below"] {
+        let output = octruss(folder.path(), &["run", &config, "--out", out]);
+        assert_eq!(code(&output), 1);
+        let message = stderr(&output);
+        assert_eq!(message, "error: cannot write to file: it is a file, not a folder\n");
+    }
+    assert_eq!(std::fs::read(folder.path().join("file")).unwrap(), b"mine");
+    let mesh = sample("cube.msh").display().to_string();
+    for (out, says) in [
+        ("none/out.vtu", "the folder does not exist"),
+        ("file/out.vtu", "not a folder"),
+        ("out.stl", ".stl"),
+        ("out.msh", "not written"),
+    ] {
+        let output = octruss(folder.path(), &["convert", &mesh, out]);
+        assert_eq!(code(&output), 1);
+        assert!(stderr(&output).contains(says), "{}", stderr(&output));
+    }
+    assert_eq!(files(folder.path()).len(), 1);
+}

@@ -49,7 +49,7 @@ const TABLE: [Spoilt; 29] = [
     spoilt(["levels = 1", "levels = 1.5"], "9:10: `levels` in stage `subdivide`: found number `1.5`, expected a whole number", 2),
     spoilt(["levels = 1", "levels = 1\nlevels = 2"], "10:1: duplicate key", 2),
     spoilt(["levels = 1", "levels = "], "9:10: ", 2),
-    spoilt(["\"linear\"\ncrease", "\"lineer\"\ncrease"], "10:10: `scheme` in stage `subdivide`: unknown scheme `lineer`; did you mean `linear`? (valid: linear, box-spline)", 2),
+    spoilt(["\"linear\"\ncrease", "\"lineer\"\ncrease"], "10:10: `scheme` in stage `subdivide`: unknown scheme `lineer`; did you mean `linear`? (valid: linear, box-spline, ", 2),
     spoilt(["crease-angle = 40", "crease-angle = 200"], "11:16: `crease-angle` in stage `subdivide`: expected an angle from 0 to 180 degrees, found 200", 2),
     spoilt(["path = \"MESH\"", ""], "2:1: missing key `path` in stage `import`", 2),
     spoilt(["kind = \"check\"", "kind = \"chekc\""], "6:8: unknown kind of stage `chekc`; did you mean `check`? (valid: import, check, subdivide, solve, write)", 2),
@@ -70,7 +70,7 @@ const TABLE: [Spoilt; 29] = [
     spoilt(["tolerance = 1e-8", "tolerance = 1e-8\nproblem = \"poison\""], "19:11: unknown value `poison` in stage `solve`; did you mean `poisson`? (valid: poisson)", 2),
     spoilt(["\"x0\"", "\"bolt\""], "stage `solve`: no surface is called `bolt` (valid: x0, x1, y0, y1, z0, z1)", 1),
     spoilt(["cube = 2", "cubes = 2"], "stage `solve`: no region is called `cubes`; did you mean `cube`? (valid: cube)", 1),
-    spoilt(["[\"linear\"]", "[\"box-spline\"]"], "stage `solve`: prolongation `box-spline` needs levels refined by that scheme", 1),
+    spoilt(["[\"linear\"]", "[\"box-spline\"]"], "stage `solve`: prolongation `box-spline` needs levels that it refined", 1),
     spoilt(["fixed = [{ surface = \"x0\", value = 0 }]", ""], "stage `solve`, assembly: nothing is fixed", 1),
 ];
 

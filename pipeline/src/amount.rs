@@ -11,13 +11,13 @@ pub fn short(count: usize) -> String {
     }
 }
 
-/// A number of bytes in MiB or GiB.
+/// A number of bytes in KiB, MiB or GiB.
 pub fn bytes(count: u64) -> String {
-    let mebibytes = count as f64 / (1024.0 * 1024.0);
-    if mebibytes < 1024.0 {
-        format!("{mebibytes:.0} MiB")
-    } else {
-        format!("{:.2} GiB", mebibytes / 1024.0)
+    let kibibytes = count as f64 / 1024.0;
+    match kibibytes {
+        k if k < 1024.0 => format!("{k:.0} KiB"),
+        k if k < 1024.0 * 1024.0 => format!("{:.0} MiB", k / 1024.0),
+        k => format!("{:.2} GiB", k / 1024.0 / 1024.0),
     }
 }
 
@@ -28,6 +28,6 @@ mod tests {
     #[test]
     fn counts_keep_their_meaning() {
         assert_eq!([812, 9_999, 24_100, 1_612_000].map(short), ["812", "9999", "24.1 k", "1.6 M"]);
-        assert_eq!([5 << 20, 3 << 29].map(bytes), ["5 MiB", "1.50 GiB"]);
+        assert_eq!([3 << 9, 5 << 20, 3 << 29].map(bytes), ["2 KiB", "5 MiB", "1.50 GiB"]);
     }
 }

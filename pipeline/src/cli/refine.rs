@@ -24,7 +24,7 @@ pub struct Refine {
     /// File to write: .vtu keeps everything, .vtk has no room for names and features
     #[arg(value_name = "OUT")]
     output: PathBuf,
-    /// The weights: linear keeps the shape, box-spline smooths it
+    /// The weights: linear keeps the shape, box-spline smooths it; others as in configs
     #[arg(long, value_name = "linear|box-spline")]
     scheme: SchemeName,
     /// How many times

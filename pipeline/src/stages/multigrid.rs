@@ -121,13 +121,13 @@ pub fn solve_with(
     Ok((solution, figures))
 }
 
-/// The matrices of all transfers, coarsest first. Linear ones are made here; the
-/// box-spline's are those that refined the mesh.
+/// The matrices of all transfers, coarsest first. Linear ones are made here; those
+/// of other schemes are the ones that refined the mesh.
 fn subdivision_matrices(hierarchy: &Hierarchy, scheme: Scheme) -> Vec<Cow<'_, SubdivisionMatrix>> {
     let transfers = hierarchy.refinements.iter().zip(&hierarchy.topologies);
     let matrix = |(refinement, topology)| match scheme {
         Scheme::Linear => Cow::Owned(linear_matrix(topology)),
-        Scheme::BoxSpline => Cow::Borrowed(refinement),
+        _ => Cow::Borrowed(refinement),
     };
     transfers.map(|(refinement, topology)| matrix((&refinement.matrix, topology))).collect()
 }

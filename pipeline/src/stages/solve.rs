@@ -32,7 +32,7 @@ pub struct Solve {
     pub fixed: Vec<OnSurface>,
     /// k ∂u/∂n on surfaces, n outward: what flows in per unit of area.
     pub flux: Vec<OnSurface>,
-    /// Which matrices prolong; `box-spline` needs levels refined by it.
+    /// Which matrices prolong: `linear`, or those of the scheme that refined all levels.
     pub prolongation: Vec<SchemeName>,
     /// Stop at this residual, relative to the right-hand side.
     pub tolerance: Positive,
@@ -128,24 +128,26 @@ impl Solve {
         Ok(SolveReport { problem: self.problem, assembly_seconds, solves })
     }
 
-    /// The box-spline matrix prolongs well only onto the mesh that it made.
+    /// Linear interpolation fits any levels; the matrices of another scheme only
+    /// those that they made.
     fn check_prolongations(&self, schemes: &[Scheme], context: &Context) -> Result<(), Error> {
         let list = &self.prolongation;
         if list.is_empty() || (1..list.len()).any(|index| list[..index].contains(&list[index])) {
             let message = "`prolongation` must name at least one scheme, and none twice";
             return Err(context.request(message.into()));
         }
-        let other = schemes.iter().position(|&scheme| scheme != Scheme::BoxSpline);
-        let asked = list.contains(&SchemeName(Scheme::BoxSpline));
-        match other {
-            Some(refinement) if asked => Err(context.request(format!(
-                "prolongation `box-spline` needs levels refined by that scheme, but level {} is \
-                 refined by `{}`: set scheme = \"box-spline\" or prolongation = [\"linear\"]",
-                refinement + 1,
-                schemes[refinement].name()
-            ))),
-            _ => Ok(()),
+        for &SchemeName(prolongation) in list.iter().filter(|name| name.0 != Scheme::Linear) {
+            let other = schemes.iter().position(|&scheme| scheme != prolongation);
+            if let Some(refinement) = other {
+                let (level, name) = (refinement + 1, prolongation.name());
+                return Err(context.request(format!(
+                    "prolongation `{name}` needs levels that it refined, but level {level} is \
+                     refined by `{}`: set scheme = \"{name}\" or prolongation = [\"linear\"]",
+                    schemes[refinement].name()
+                )));
+            }
         }
+        Ok(())
     }
 }
 

@@ -43,35 +43,123 @@ const fn spoilt(change: [&'static str; 2], says: &'static str, code: i32) -> Spo
 }
 
 const TABLE: [Spoilt; 29] = [
-    spoilt(["levels", "levles"], "9:1: unknown key `levles` in stage `subdivide`; did you mean `levels`? (valid: ", 2),
-    spoilt(["levels = 1", "levels = -1"], "9:10: `levels` in stage `subdivide`: found integer `-1`, expected a whole number from 0 to 255", 2),
-    spoilt(["levels = 1", "levels = \"one\""], "9:10: `levels` in stage `subdivide`: found string \"one\", expected a whole number", 2),
-    spoilt(["levels = 1", "levels = 1.5"], "9:10: `levels` in stage `subdivide`: found number `1.5`, expected a whole number", 2),
+    spoilt(
+        ["levels", "levles"],
+        "9:1: unknown key `levles` in stage `subdivide`; did you mean `levels`? (valid: ",
+        2,
+    ),
+    spoilt(
+        ["levels = 1", "levels = -1"],
+        "9:10: `levels` in stage `subdivide`: found integer `-1`, expected a whole number from 0 to 255",
+        2,
+    ),
+    spoilt(
+        ["levels = 1", "levels = \"one\""],
+        "9:10: `levels` in stage `subdivide`: found string \"one\", expected a whole number",
+        2,
+    ),
+    spoilt(
+        ["levels = 1", "levels = 1.5"],
+        "9:10: `levels` in stage `subdivide`: found number `1.5`, expected a whole number",
+        2,
+    ),
     spoilt(["levels = 1", "levels = 1\nlevels = 2"], "10:1: duplicate key", 2),
     spoilt(["levels = 1", "levels = "], "9:10: ", 2),
-    spoilt(["\"linear\"\ncrease", "\"lineer\"\ncrease"], "10:10: `scheme` in stage `subdivide`: unknown scheme `lineer`; did you mean `linear`? (valid: linear, box-spline, ", 2),
-    spoilt(["crease-angle = 40", "crease-angle = 200"], "11:16: `crease-angle` in stage `subdivide`: expected an angle from 0 to 180 degrees, found 200", 2),
+    spoilt(
+        ["\"linear\"\ncrease", "\"lineer\"\ncrease"],
+        "10:10: `scheme` in stage `subdivide`: unknown scheme `lineer`; did you mean `linear`? (valid: linear, box-spline, ",
+        2,
+    ),
+    spoilt(
+        ["crease-angle = 40", "crease-angle = 200"],
+        "11:16: `crease-angle` in stage `subdivide`: expected an angle from 0 to 180 degrees, found 200",
+        2,
+    ),
     spoilt(["path = \"MESH\"", ""], "2:1: missing key `path` in stage `import`", 2),
-    spoilt(["kind = \"check\"", "kind = \"chekc\""], "6:8: unknown kind of stage `chekc`; did you mean `check`? (valid: import, check, subdivide, solve, write)", 2),
+    spoilt(
+        ["kind = \"check\"", "kind = \"chekc\""],
+        "6:8: unknown kind of stage `chekc`; did you mean `check`? (valid: import, check, subdivide, solve, write)",
+        2,
+    ),
     spoilt(["kind = \"check\"", "kind = 3"], "6:8: `kind` must be a string", 2),
     spoilt(["kind = \"check\"", ""], "5:1: a stage needs a `kind` (valid: import, ", 2),
-    spoilt(["[[stage]]\nkind = \"check\"\n", ""], "5:1: stage `subdivide` needs a stage `check` before it", 2),
-    spoilt(["name = \"good\"", "nmae = \"good\""], "1:1: unknown key `nmae`; did you mean `name`? (valid: name, stage, expect)", 2),
+    spoilt(
+        ["[[stage]]\nkind = \"check\"\n", ""],
+        "5:1: stage `subdivide` needs a stage `check` before it",
+        2,
+    ),
+    spoilt(
+        ["name = \"good\"", "nmae = \"good\""],
+        "1:1: unknown key `nmae`; did you mean `name`? (valid: name, stage, expect)",
+        2,
+    ),
     spoilt(["name = \"good\"", ""], "1:1: missing key `name`", 2),
-    spoilt(["name = \"good\"", "name = \"../good\""], "1:8: `name` is \"../good\", but it must do as the name of a folder", 2),
+    spoilt(
+        ["name = \"good\"", "name = \"../good\""],
+        "1:8: `name` is \"../good\", but it must do as the name of a folder",
+        2,
+    ),
     spoilt(["[expect]", "[expects]"], "19:2: unknown key `expects`; did you mean `expect`?", 2),
-    spoilt(["{ min = 2880, max = 2880 }", "{ mim = 2880 }"], "20:22: unknown key `mim`; did you mean `min`? (valid: min, max)", 2),
-    spoilt(["{ min = 2880, max = 2880 }", "{ min = 9, max = 8 }"], "20:20: `subdivide.tets`: no number is at least 9 and at most 8", 2),
-    spoilt(["{ min = 2880, max = 2880 }", "{}"], "20:20: `subdivide.tets`: an expectation needs `min`, `max` or both", 2),
-    spoilt(["\"subdivide.tets\"", "\"subdivide.tetz\""], "20:1: the report has no number `subdivide.tetz`; did you mean `subdivide.tets`?", 2),
-    spoilt(["value = 0", "value = \"sin(x)\""], "15:36: `value` in stage `solve`: found the string \"sin(x)\": expressions are not supported, give a number", 2),
-    spoilt(["default = 1", "default = inf"], "14:27: `default` in stage `solve`: expected a finite number, found inf", 2),
-    spoilt(["tolerance = 1e-8", "tolerance = -1e-8"], "18:13: `tolerance` in stage `solve`: expected a number above 0, found -0.00000001", 2),
-    spoilt(["tolerance = 1e-8", "tolerance = 1e-8\nproblem = \"poison\""], "19:11: unknown value `poison` in stage `solve`; did you mean `poisson`? (valid: poisson)", 2),
-    spoilt(["\"x0\"", "\"bolt\""], "stage `solve`: no surface is called `bolt` (valid: x0, x1, y0, y1, z0, z1)", 1),
-    spoilt(["cube = 2", "cubes = 2"], "stage `solve`: no region is called `cubes`; did you mean `cube`? (valid: cube)", 1),
-    spoilt(["[\"linear\"]", "[\"box-spline\"]"], "stage `solve`: prolongation `box-spline` needs levels that it refined", 1),
-    spoilt(["fixed = [{ surface = \"x0\", value = 0 }]", ""], "stage `solve`, assembly: nothing is fixed", 1),
+    spoilt(
+        ["{ min = 2880, max = 2880 }", "{ mim = 2880 }"],
+        "20:22: unknown key `mim`; did you mean `min`? (valid: min, max)",
+        2,
+    ),
+    spoilt(
+        ["{ min = 2880, max = 2880 }", "{ min = 9, max = 8 }"],
+        "20:20: `subdivide.tets`: no number is at least 9 and at most 8",
+        2,
+    ),
+    spoilt(
+        ["{ min = 2880, max = 2880 }", "{}"],
+        "20:20: `subdivide.tets`: an expectation needs `min`, `max` or both",
+        2,
+    ),
+    spoilt(
+        ["\"subdivide.tets\"", "\"subdivide.tetz\""],
+        "20:1: the report has no number `subdivide.tetz`; did you mean `subdivide.tets`?",
+        2,
+    ),
+    spoilt(
+        ["value = 0", "value = \"sin(x)\""],
+        "15:36: `value` in stage `solve`: found the string \"sin(x)\": expressions are not supported, give a number",
+        2,
+    ),
+    spoilt(
+        ["default = 1", "default = inf"],
+        "14:27: `default` in stage `solve`: expected a finite number, found inf",
+        2,
+    ),
+    spoilt(
+        ["tolerance = 1e-8", "tolerance = -1e-8"],
+        "18:13: `tolerance` in stage `solve`: expected a number above 0, found -0.00000001",
+        2,
+    ),
+    spoilt(
+        ["tolerance = 1e-8", "tolerance = 1e-8\nproblem = \"poison\""],
+        "19:11: unknown value `poison` in stage `solve`; did you mean `poisson`? (valid: poisson)",
+        2,
+    ),
+    spoilt(
+        ["\"x0\"", "\"bolt\""],
+        "stage `solve`: no surface is called `bolt` (valid: x0, x1, y0, y1, z0, z1)",
+        1,
+    ),
+    spoilt(
+        ["cube = 2", "cubes = 2"],
+        "stage `solve`: no region is called `cubes`; did you mean `cube`? (valid: cube)",
+        1,
+    ),
+    spoilt(
+        ["[\"linear\"]", "[\"box-spline\"]"],
+        "stage `solve`: prolongation `box-spline` needs levels that it refined",
+        1,
+    ),
+    spoilt(
+        ["fixed = [{ surface = \"x0\", value = 0 }]", ""],
+        "stage `solve`, assembly: nothing is fixed",
+        1,
+    ),
 ];
 
 fn write_config(folder: &Path, text: &str) {
@@ -112,13 +200,28 @@ fn wrong_overrides_are_told_as_typed() {
         ("a b=1", "`a b` is not a key"),
         ("nam=x", "unknown key `nam`; did you mean `name`?"),
         ("stage=[]", "the config has no stage"),
-        ("stage.subdivide.levles=1", "unknown key `levles` in stage `subdivide`; did you mean `levels`?"),
-        ("stage.subdvide.levels=1", "unknown stage `subdvide`; did you mean `subdivide`? (valid: import,"),
+        (
+            "stage.subdivide.levles=1",
+            "unknown key `levles` in stage `subdivide`; did you mean `levels`?",
+        ),
+        (
+            "stage.subdvide.levels=1",
+            "unknown stage `subdvide`; did you mean `subdivide`? (valid: import,",
+        ),
         ("stage.solve-2.sweeps=1", "unknown stage `solve-2`; did you mean `solve`?"),
         ("stage.subdivide.levels=-1", "`levels` in stage `subdivide`: found integer `-1`"),
-        ("stage.solve.sweeps=0", "`sweeps` in stage `solve`: found integer `0`, expected a whole number from 1"),
-        ("stage.solve.fixed.6.value=1", "`stage.solve.fixed` has 6 entries, counted from 0, none is `6`"),
-        ("stage.solve.fixed.0.valeu=1", "unknown key `valeu` in stage `solve`; did you mean `value`?"),
+        (
+            "stage.solve.sweeps=0",
+            "`sweeps` in stage `solve`: found integer `0`, expected a whole number from 1",
+        ),
+        (
+            "stage.solve.fixed.6.value=1",
+            "`stage.solve.fixed` has 6 entries, counted from 0, none is `6`",
+        ),
+        (
+            "stage.solve.fixed.0.valeu=1",
+            "unknown key `valeu` in stage `solve`; did you mean `value`?",
+        ),
         ("stage.solve.source.cube=1", "`stage.solve.source` is one float, no table with keys"),
     ] {
         let folder = tempfile::tempdir().unwrap();

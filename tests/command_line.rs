@@ -163,7 +163,10 @@ fn fields_ride_along_and_stay_what_they_are() {
         notes: Vec::new(),
     };
     write(&folder.path().join("in.vtu"), &input).unwrap();
-    succeed(folder.path(), &["refine", "in.vtu", "out.vtu", "--scheme", "box-spline", "--levels", "2"]);
+    succeed(
+        folder.path(),
+        &["refine", "in.vtu", "out.vtu", "--scheme", "box-spline", "--levels", "2"],
+    );
     let output = read(&folder.path().join("out.vtu")).unwrap();
     // The matrix that moves points carries the field: a linear one stays linear.
     let expected: Vec<f64> = output.mesh.points.iter().map(|point| 1.0 + 2.0 * point[2]).collect();

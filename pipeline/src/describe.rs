@@ -218,12 +218,7 @@ fn surfaces(mesh: &RawMesh) -> Vec<Surface> {
     let surface = |id| {
         let triangles = mesh.triangles.iter().filter(|&(_, tag)| tag == id);
         let areas: Vec<f64> = triangles.map(|(triangle, _)| area(mesh, triangle)).collect();
-        Surface {
-            name: mesh.group_name(2, id),
-            id,
-            count: areas.len(),
-            area: areas.iter().sum(),
-        }
+        Surface { name: mesh.group_name(2, id), id, count: areas.len(), area: areas.iter().sum() }
     };
     group_ids(mesh, 2).into_iter().map(surface).collect()
 }
@@ -244,7 +239,6 @@ fn volume(mesh: &RawMesh, tet: &[u32; 4]) -> f64 {
 fn area(mesh: &RawMesh, triangle: [u32; 3]) -> f64 {
     let [o, a, b] = triangle.map(|v| mesh.points[v as usize]);
     let [a, b] = [a, b].map(|p| [p[0] - o[0], p[1] - o[1], p[2] - o[2]]);
-    let normal =
-        [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]];
+    let normal = [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]];
     normal.iter().map(|x| x * x).sum::<f64>().sqrt() / 2.0
 }

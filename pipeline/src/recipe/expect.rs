@@ -87,10 +87,7 @@ impl std::fmt::Display for Outcome {
 ///
 /// # Errors
 /// An expectation about a number that the report does not have.
-pub fn compare(
-    expectations: &[Expectation],
-    report: &Report,
-) -> Result<Vec<Outcome>, ConfigError> {
+pub fn compare(expectations: &[Expectation], report: &Report) -> Result<Vec<Outcome>, ConfigError> {
     let numbers = report.numbers();
     let measure = |expected: &Expectation| {
         let found = numbers.iter().find(|(name, _)| *name == expected.name);

@@ -14,11 +14,13 @@ fn kind<'t>(stage: &'t Tree) -> Option<&'t str> {
 
 /// A label for each kind: the kind, with `-2`, `-3` … from its second time on.
 pub fn labels(kinds: &[&str]) -> Vec<String> {
-    let label = |(index, kind): (usize, &&str)| {
-        match kinds[..index].iter().filter(|before| *before == kind).count() {
-            0 => kind.to_string(),
-            before => format!("{kind}-{}", before + 1),
-        }
+    let label = |(index, kind): (usize, &&str)| match kinds[..index]
+        .iter()
+        .filter(|before| *before == kind)
+        .count()
+    {
+        0 => kind.to_string(),
+        before => format!("{kind}-{}", before + 1),
     };
     kinds.iter().enumerate().map(label).collect()
 }

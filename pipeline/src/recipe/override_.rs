@@ -59,7 +59,7 @@ fn step<'a, 't>(
         DeValue::Array(entries) => {
             let index = entry_index(entries, walked, name)?;
             let (list, count) = (walked.join("."), entries.len());
-            entries.iter_mut().nth(index).ok_or_else(|| {
+            entries.get_mut(index).ok_or_else(|| {
                 format!("`{list}` has {count} entries, counted from 0, none is `{name}`")
             })
         }

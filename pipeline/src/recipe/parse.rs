@@ -31,9 +31,8 @@ struct Header {
 /// Reads a config; see [`Recipe::parse`].
 pub fn parse(path: &Path, text: String, overrides: &[String]) -> Result<Recipe, ConfigError> {
     let source = Source::new(path.into(), text, overrides);
-    let document = DeTable::parse(source.text()).map_err(|error| {
-        source.error(&error.span().unwrap_or(0..0), error.message().trim_end())
-    })?;
+    let document = DeTable::parse(source.text())
+        .map_err(|error| source.error(&error.span().unwrap_or(0..0), error.message().trim_end()))?;
     let mut root = Spanned::new(document.span(), DeValue::Table(document.into_inner()));
     for given in source.overrides() {
         override_::apply(&mut root, given, &source)?;

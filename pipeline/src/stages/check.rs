@@ -35,9 +35,8 @@ impl Check {
     pub(super) fn run(&self, state: &mut State, context: &Context) -> Result<CheckReport, Error> {
         let dataset = state.dataset.take().ok_or_else(|| context.order("import"))?;
         let options = CheckOptions { reorient: self.reorient };
-        let Checked { mesh, findings, kept_vertices } =
-            octruss_mesh::check(dataset.mesh, &options)
-                .map_err(|source| Error::Unsound { path: state.path.clone(), source })?;
+        let Checked { mesh, findings, kept_vertices } = octruss_mesh::check(dataset.mesh, &options)
+            .map_err(|source| Error::Unsound { path: state.path.clone(), source })?;
         state.point_fields = match kept_vertices {
             Some(kept) => dataset.point_fields.iter().map(|field| subset(field, &kept)).collect(),
             None => dataset.point_fields,

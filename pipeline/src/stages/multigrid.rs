@@ -79,11 +79,12 @@ pub fn solve_with(
     let start = Instant::now();
     let matrices = subdivision_matrices(hierarchy, scheme);
     let prolongations = prolongations(hierarchy, &matrices, problem, system)?;
-    let mut multigrid =
-        Multigrid::new(&system.matrix, prolongations, &multigrid_options(options))?;
+    let mut multigrid = Multigrid::new(&system.matrix, prolongations, &multigrid_options(options))?;
     let setup_seconds = start.elapsed().as_secs_f64();
     let tell = |iteration: usize, residual: f64| {
-        context.progress.tell(News::Note(format!("iteration {iteration}, residual {residual:.1e}")));
+        context
+            .progress
+            .tell(News::Note(format!("iteration {iteration}, residual {residual:.1e}")));
         ControlFlow::Continue(())
     };
     let stop = SolveOptions {

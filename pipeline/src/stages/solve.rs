@@ -96,8 +96,8 @@ impl Solve {
         state.levels(&FeatureOptions::default());
         let hierarchy = state.hierarchy.as_ref().ok_or_else(|| context.order("check"))?;
         self.check_prolongations(&state.schemes, context)?;
-        let problem = poisson(self, hierarchy.finest().raw())
-            .map_err(|message| context.request(message))?;
+        let problem =
+            poisson(self, hierarchy.finest().raw()).map_err(|message| context.request(message))?;
         let steps = self.prolongation.len() + 1;
         let start = Instant::now();
         let system = context.progress.step(1, steps, "assembly", || {

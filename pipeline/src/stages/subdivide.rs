@@ -85,9 +85,9 @@ impl Subdivide {
         let mut levels = vec![level_report(state, context)?];
         for number in 1..=usize::from(self.levels) {
             let what = format!("level {number} of {}", self.levels);
-            let level = context.progress.step(number, self.levels.into(), &what, || {
-                self.add_level(state, context)
-            })?;
+            let level = context
+                .progress
+                .step(number, self.levels.into(), &what, || self.add_level(state, context))?;
             levels.push(level);
         }
         let finest = &levels[levels.len() - 1];
@@ -100,10 +100,9 @@ impl Subdivide {
         state: &mut State,
         context: &Context,
     ) -> Result<(LevelReport, String), Error> {
-        state.refine(self.scheme.0).map_err(|source| Error::Subdivide {
-            stage: context.progress.label.into(),
-            source,
-        })?;
+        state
+            .refine(self.scheme.0)
+            .map_err(|source| Error::Subdivide { stage: context.progress.label.into(), source })?;
         let report = level_report(state, context)?;
         let tets = format!("{} tets", short(report.tets));
         Ok((report, tets))

@@ -96,7 +96,7 @@ fn several_configs_run_in_turn_and_share_the_folder_given() {
         "--set",
         "stage.subdivide.levels=1",
         "--set",
-        "expect.\"subdivide.tets\"={ max = 3000 }",
+        "expect={ \"subdivide.tets\" = { max = 3000 } }",
     ];
     // The cube has 2,880 tets after one level, the bracket more.
     let output = octruss(folder.path(), &strings(&cube, &more));

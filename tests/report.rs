@@ -92,3 +92,38 @@ fn the_results_are_the_same_for_any_number_of_threads() {
     }
     assert!(results[0] == results[1] && results[1] == results[2]);
 }
+
+#[test]
+fn the_second_solve_of_a_run_goes_by_its_own_name() {
+    let folder = tempfile::tempdir().unwrap();
+    let config = std::fs::read_to_string(repository("configs/cube-poisson.toml")).unwrap();
+    let second = "[[stage]]\nkind = \"solve\"\nsource = { cube = 2.0 }\nprolongation = \
+        [\"linear\"]\nfixed = [{ surface = \"x0\", value = 1.0 }]\n\n[[stage]]\nkind = \"write\"";
+    let mesh = common::sample("cube.msh").display().to_string();
+    let config = config
+        .replace("../examples/meshes/cube.msh", &mesh)
+        .replace("[[stage]]\nkind = \"write\"", second);
+    std::fs::write(folder.path().join("two.toml"), config).unwrap();
+    // u = 1 + 2 (x − x²/2) solves −u'' = 2 with u(0) = 1, u'(1) = 0: u(1) = 2.
+    let arguments = [
+        "run",
+        "two.toml",
+        "--set",
+        "stage.subdivide.levels=2",
+        "--set",
+        "stage.solve-2.tolerance=1e-10",
+        "--set",
+        "expect={ \"solve-2.linear.maximum\" = { min = 1.99, max = 2.01 } }",
+    ];
+    succeed(folder.path(), &arguments);
+    let out = folder.path().join("out/cube-poisson");
+    assert_eq!(report(&out)["stages"][4]["name"], "solve-2");
+    let solution = octruss_meshio::read(&out.join("solution.vtu")).unwrap();
+    let names: Vec<_> = solution.point_fields.iter().map(|field| field.name.as_str()).collect();
+    assert_eq!(names, ["solution", "solution-2"]);
+    let octruss_meshio::Values::Float(values) = &solution.point_fields[1].values else { panic!() };
+    for (point, value) in solution.mesh.points.iter().zip(values) {
+        let exact = 1.0 + 2.0 * (point[0] - 0.5 * point[0] * point[0]);
+        assert!((value - exact).abs() < 0.01, "{value} instead of {exact}");
+    }
+}

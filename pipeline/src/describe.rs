@@ -242,3 +242,45 @@ fn area(mesh: &RawMesh, triangle: [u32; 3]) -> f64 {
     let normal = [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]];
     normal.iter().map(|x| x * x).sum::<f64>().sqrt() / 2.0
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use octruss_mesh::shapes::kuhn_cube;
+
+    fn describe_mesh(mesh: RawMesh) -> Description {
+        describe(&Dataset { mesh, ..Dataset::default() })
+    }
+
+    #[test]
+    fn broken_meshes_are_described_as_far_as_they_go() {
+        let mut mesh = kuhn_cube(1).into_raw();
+        mesh.tets.push([0, 1, 2, 99]);
+        mesh.regions.push(7);
+        mesh.triangles.push([0, 1, u32::MAX], 1);
+        mesh.tets.push([0, 0, 1, 1]);
+        mesh.regions.push(0);
+        let broken = describe_mesh(mesh);
+        assert_eq!((broken.tets, broken.vertices, broken.components), (8, 8, 1));
+        assert!((broken.volume - 1.0).abs() < 1e-14, "only what is in range is measured");
+        assert_eq!(broken.surfaces[0].count, 2);
+        assert_eq!(broken.findings[0].kind, "index-out-of-range");
+        assert_eq!(broken.findings[0].count, 2);
+    }
+
+    #[test]
+    fn numbers_that_are_none_become_null() {
+        let mut mesh = kuhn_cube(1).into_raw();
+        mesh.points[0][0] = f64::NAN;
+        let broken = describe_mesh(mesh);
+        assert_eq!(broken.findings[0].kind, "non-finite-coordinates");
+        assert!(serde_json::to_value(&broken).unwrap()["volume"].is_null());
+    }
+
+    #[test]
+    fn nothing_at_all_is_described_too() {
+        let nothing = describe_mesh(RawMesh::default());
+        assert_eq!((nothing.tets, nothing.edges, nothing.quality), (0, 0, None));
+        assert_eq!(nothing.findings[0].kind, "no-tets");
+    }
+}

@@ -7,29 +7,37 @@ use crate::chunks::CHUNK;
 use crate::raw_mesh::RawMesh;
 use crate::reference_tet::{EDGES, FACES, six_volumes};
 
-/// How many equal bins the histogram of η has.
-pub const BINS: usize = 10;
+/// How many equal bins the histograms of η and of the radius ratio have.
+pub const RATIO_BINS: usize = 10;
+
+/// How many equal bins the histogram of dihedral angles has: ten degrees each.
+pub const ANGLE_BINS: usize = 18;
 
 /// Quality measures of a whole mesh.
 #[derive(Debug, Clone, PartialEq)]
 pub struct QualitySummary {
-    /// Mean ratio η: smallest and mean; see [`mean_ratio`].
-    pub eta_min: f64,
-    /// The mean of η over all tets.
-    pub eta_mean: f64,
+    /// The mean ratios η of the tets; see [`mean_ratio`].
+    pub eta: Distribution<RATIO_BINS>,
+    /// The radius ratios of the tets; see [`radius_ratio`].
+    pub radius_ratio: Distribution<RATIO_BINS>,
+    /// The six dihedral angles of every tet, in degrees.
+    pub dihedral_deg: Distribution<ANGLE_BINS>,
     /// The tet with the smallest η, the first of equals.
     pub worst_tet: usize,
-    /// The smallest angle between two faces of a tet, in degrees.
-    pub dihedral_min_deg: f64,
-    /// The largest angle between two faces of a tet, in degrees.
-    pub dihedral_max_deg: f64,
-    /// Smallest radius ratio; see [`radius_ratio`].
-    pub radius_ratio_min: f64,
-    /// The mean of the radius ratios.
-    pub radius_ratio_mean: f64,
-    /// How many tets have η in [i / 10, (i + 1) / 10); 1 counts in the last,
-    /// inverted tets in the first.
-    pub eta_histogram: [usize; BINS],
+}
+
+/// How the values of one measure are spread.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Distribution<const BINS: usize> {
+    /// The smallest value.
+    pub min: f64,
+    /// The mean.
+    pub mean: f64,
+    /// The largest value.
+    pub max: f64,
+    /// How many values fall into each of equal bins from 0 to the measure's
+    /// upper end, which counts in the last; negative values count in the first.
+    pub histogram: [usize; BINS],
 }
 
 /// The mean ratio η = 12 (3 V)^(2/3) / Σ L² of a tet: 1 for a regular one, 0 for
@@ -101,7 +109,7 @@ pub fn summarise(mesh: &RawMesh) -> Option<QualitySummary> {
         .par_chunks(CHUNK)
         .enumerate()
         .map(|(chunk, tets)| {
-            let mut sum = EMPTY;
+            let mut sum = QualitySummary::EMPTY;
             for (i, tet) in tets.iter().enumerate() {
                 sum.add(CHUNK * chunk + i, tet.map(|v| mesh.points[v as usize]));
             }
@@ -109,53 +117,63 @@ pub fn summarise(mesh: &RawMesh) -> Option<QualitySummary> {
         })
         .collect();
     let mut total = parts.into_iter().reduce(QualitySummary::merge)?;
-    total.eta_mean /= mesh.tets.len() as f64;
-    total.radius_ratio_mean /= mesh.tets.len() as f64;
+    total.eta.mean /= mesh.tets.len() as f64;
+    total.radius_ratio.mean /= mesh.tets.len() as f64;
+    total.dihedral_deg.mean /= 6.0 * mesh.tets.len() as f64;
     Some(total)
 }
 
-const EMPTY: QualitySummary = QualitySummary {
-    eta_min: f64::INFINITY,
-    eta_mean: 0.0,
-    worst_tet: 0,
-    dihedral_min_deg: f64::INFINITY,
-    dihedral_max_deg: f64::NEG_INFINITY,
-    radius_ratio_min: f64::INFINITY,
-    radius_ratio_mean: 0.0,
-    eta_histogram: [0; BINS],
-};
-
+/// Until all is merged, means hold sums.
 impl QualitySummary {
+    const EMPTY: Self = Self {
+        eta: Distribution::EMPTY,
+        radius_ratio: Distribution::EMPTY,
+        dihedral_deg: Distribution::EMPTY,
+        worst_tet: 0,
+    };
+
     fn add(&mut self, tet: usize, corners: [[f64; 3]; 4]) {
         let eta = mean_ratio(corners);
-        if eta < self.eta_min {
-            (self.eta_min, self.worst_tet) = (eta, tet);
+        if eta < self.eta.min {
+            self.worst_tet = tet;
         }
-        self.eta_mean += eta;
-        self.eta_histogram[((eta.max(0.0) * BINS as f64) as usize).min(BINS - 1)] += 1;
+        self.eta.add(eta, 1.0);
+        self.radius_ratio.add(radius_ratio(corners), 1.0);
         for angle in dihedral_angles(corners) {
-            self.dihedral_min_deg = self.dihedral_min_deg.min(angle);
-            self.dihedral_max_deg = self.dihedral_max_deg.max(angle);
+            self.dihedral_deg.add(angle, 180.0);
         }
-        let ratio = radius_ratio(corners);
-        self.radius_ratio_min = self.radius_ratio_min.min(ratio);
-        self.radius_ratio_mean += ratio;
     }
 
-    /// Means still hold sums here.
     fn merge(mut self, later: Self) -> Self {
-        if later.eta_min < self.eta_min {
-            (self.eta_min, self.worst_tet) = (later.eta_min, later.worst_tet);
+        if later.eta.min < self.eta.min {
+            self.worst_tet = later.worst_tet;
         }
-        self.eta_mean += later.eta_mean;
-        self.dihedral_min_deg = self.dihedral_min_deg.min(later.dihedral_min_deg);
-        self.dihedral_max_deg = self.dihedral_max_deg.max(later.dihedral_max_deg);
-        self.radius_ratio_min = self.radius_ratio_min.min(later.radius_ratio_min);
-        self.radius_ratio_mean += later.radius_ratio_mean;
-        for (count, more) in self.eta_histogram.iter_mut().zip(later.eta_histogram) {
+        self.eta.merge(&later.eta);
+        self.radius_ratio.merge(&later.radius_ratio);
+        self.dihedral_deg.merge(&later.dihedral_deg);
+        self
+    }
+}
+
+impl<const BINS: usize> Distribution<BINS> {
+    const EMPTY: Self =
+        Self { min: f64::INFINITY, mean: 0.0, max: f64::NEG_INFINITY, histogram: [0; BINS] };
+
+    fn add(&mut self, value: f64, upper: f64) {
+        self.min = self.min.min(value);
+        self.max = self.max.max(value);
+        self.mean += value;
+        let bin = (value.max(0.0) / upper * BINS as f64) as usize;
+        self.histogram[bin.min(BINS - 1)] += 1;
+    }
+
+    fn merge(&mut self, later: &Self) {
+        self.min = self.min.min(later.min);
+        self.max = self.max.max(later.max);
+        self.mean += later.mean;
+        for (count, more) in self.histogram.iter_mut().zip(later.histogram) {
             *count += more;
         }
-        self
     }
 }
 
@@ -206,11 +224,17 @@ mod tests {
     fn the_five_tet_cube_has_wangs_values() {
         // Wang's thesis, table 3-7, for the cube itself: minimum .839947, mean .871958.
         let summary = summarise(five_tet_cube().raw()).unwrap();
-        assert!((summary.eta_min - 0.839947).abs() < 5e-7);
-        assert!((summary.eta_mean - 0.871958).abs() < 5e-7);
+        assert!((summary.eta.min - 0.839947).abs() < 5e-7);
+        assert!((summary.eta.mean - 0.871958).abs() < 5e-7);
         assert_eq!(summary.worst_tet, 1);
-        assert_eq!(summary.eta_histogram.iter().sum::<usize>(), 5);
-        assert_eq!(summary.eta_histogram[8], 4);
+        assert_eq!(summary.eta.histogram.iter().sum::<usize>(), 5);
+        assert_eq!(summary.eta.histogram[8], 4);
+        // Four corner tets: three right angles and three of acos(1/√3); the regular
+        // tet in the middle has six of acos(1/3).
+        let expected = (4.0 * 3.0 * (90.0 + 54.735610317) + 6.0 * 70.528779366) / 30.0;
+        assert!((summary.dihedral_deg.mean - expected).abs() < 1e-8);
+        assert_eq!(summary.dihedral_deg.histogram[5], 12);
+        assert_eq!(summary.dihedral_deg.histogram[7], 6);
         assert!(summarise(&RawMesh::default()).is_none());
     }
 }

@@ -8,7 +8,7 @@ use octruss_mesh::{
 };
 
 fn eta_min(mesh: &TetMesh) -> f64 {
-    quality::summarise(mesh.raw()).unwrap().eta_min
+    quality::summarise(mesh.raw()).unwrap().eta.min
 }
 
 fn guarded(mesh: TetMesh, scheme: Scheme, floor: f64, levels: usize) -> Hierarchy {

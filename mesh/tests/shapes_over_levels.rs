@@ -7,7 +7,7 @@ use octruss_mesh::{FeatureOptions, Hierarchy, Scheme, TetMesh, prepare, quality,
 
 fn eta(mesh: &TetMesh) -> (f64, f64) {
     let summary = quality::summarise(mesh.raw()).unwrap();
-    (summary.eta_min, summary.eta_mean)
+    (summary.eta.min, summary.eta.mean)
 }
 
 #[test]

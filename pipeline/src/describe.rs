@@ -78,12 +78,18 @@ pub struct Quality {
     pub eta_histogram: Vec<usize>,
     /// The smallest angle between two faces of a tet, in degrees.
     pub dihedral_min_deg: f64,
+    /// The mean of these angles.
+    pub dihedral_mean_deg: f64,
     /// The greatest.
     pub dihedral_max_deg: f64,
+    /// How many of them lie in each ten degrees from 0 to 180.
+    pub dihedral_histogram: Vec<usize>,
     /// The worst radius ratio.
     pub radius_ratio_min: f64,
     /// The mean of the radius ratios.
     pub radius_ratio_mean: f64,
+    /// How many tets have a radius ratio in each tenth from 0 to 1.
+    pub radius_ratio_histogram: Vec<usize>,
 }
 
 /// A field by name.
@@ -122,13 +128,16 @@ impl From<&Finding> for FindingReport {
 impl From<QualitySummary> for Quality {
     fn from(summary: QualitySummary) -> Self {
         Self {
-            eta_min: summary.eta_min,
-            eta_mean: summary.eta_mean,
-            eta_histogram: summary.eta_histogram.to_vec(),
-            dihedral_min_deg: summary.dihedral_min_deg,
-            dihedral_max_deg: summary.dihedral_max_deg,
-            radius_ratio_min: summary.radius_ratio_min,
-            radius_ratio_mean: summary.radius_ratio_mean,
+            eta_min: summary.eta.min,
+            eta_mean: summary.eta.mean,
+            eta_histogram: summary.eta.histogram.to_vec(),
+            dihedral_min_deg: summary.dihedral_deg.min,
+            dihedral_mean_deg: summary.dihedral_deg.mean,
+            dihedral_max_deg: summary.dihedral_deg.max,
+            dihedral_histogram: summary.dihedral_deg.histogram.to_vec(),
+            radius_ratio_min: summary.radius_ratio.min,
+            radius_ratio_mean: summary.radius_ratio.mean,
+            radius_ratio_histogram: summary.radius_ratio.histogram.to_vec(),
         }
     }
 }

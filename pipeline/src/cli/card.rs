@@ -54,20 +54,31 @@ fn fields(mesh: &Description) -> String {
 fn shapes(quality: &Quality) -> String {
     let mut text = format!(
         "\n  mean ratio η    min {:.4}, mean {:.4}\n  radius ratio    min {:.4}, mean {:.4}\n  \
-         dihedral angle  {:.1}° to {:.1}°\n\n",
+         dihedral angle  {:.1}° to {:.1}°, mean {:.1}°\n",
         quality.eta_min,
         quality.eta_mean,
         quality.radius_ratio_min,
         quality.radius_ratio_mean,
         quality.dihedral_min_deg,
         quality.dihedral_max_deg,
+        quality.dihedral_mean_deg,
     );
-    let most = quality.eta_histogram.iter().copied().max().unwrap_or(0).max(1);
-    for (bin, &count) in quality.eta_histogram.iter().enumerate() {
-        // At least one block where there is a tet at all.
+    text += &histogram(&quality.eta_histogram, |bin| {
+        format!("η {:.1}–{:.1}", bin as f64 / 10.0, (bin + 1) as f64 / 10.0)
+    });
+    text += &histogram(&quality.dihedral_histogram, |bin| {
+        format!("{:>3}°–{:>3}°", 10 * bin, 10 * (bin + 1))
+    });
+    text
+}
+
+fn histogram(counts: &[usize], label: impl Fn(usize) -> String) -> String {
+    let most = counts.iter().copied().max().unwrap_or(0).max(1);
+    let mut text = String::from("\n");
+    for (bin, &count) in counts.iter().enumerate() {
+        // At least one block where there is anything at all.
         let bar = "█".repeat((40 * count).div_ceil(most));
-        let (from, to) = (bin as f64 / 10.0, (bin + 1) as f64 / 10.0);
-        let _ = writeln!(text, "  η {from:.1}–{to:.1} {count:>9} {bar}");
+        let _ = writeln!(text, "  {:<9} {count:>9} {bar}", label(bin));
     }
     text
 }

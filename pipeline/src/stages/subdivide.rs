@@ -131,8 +131,8 @@ fn level_report(state: &State, context: &Context) -> Result<LevelReport, Error> 
     Ok(LevelReport {
         vertices: mesh.points().len(),
         tets: mesh.tets().len(),
-        eta_min: eta(|quality| quality.eta_min),
-        eta_mean: eta(|quality| quality.eta_mean),
+        eta_min: eta(|quality| quality.eta.min),
+        eta_mean: eta(|quality| quality.eta.mean),
     })
 }
 

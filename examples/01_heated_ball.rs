@@ -13,6 +13,7 @@ use octruss_solver::{
     restrict_to_free,
 };
 
+/// The whole chain in five steps.
 pub fn main() -> Result<(), Box<dyn std::error::Error>> {
     // 1. Read and check.
     let path = concat!(env!("CARGO_MANIFEST_DIR"), "/examples/meshes/ball.msh");

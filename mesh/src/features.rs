@@ -1,14 +1,17 @@
-//! Finding creases and corners, once, on the coarsest mesh.
+//! Readying the coarsest mesh, once: its marking, its creases and corners.
 
-use crate::marking::mark_shortest;
+use crate::marking::{Marking, mark};
 use crate::raw_mesh::{Features, RawMesh};
 use crate::strata::{Incidence, opposite_vertices, surface_faces};
 use crate::tet_mesh::TetMesh;
 use crate::topology::{NONE, Topology, ascending};
 
-/// Where creases and corners come from.
+/// How a coarsest mesh is readied: its marking, and where its creases and
+/// corners come from.
 #[derive(Debug, Clone, PartialEq)]
 pub struct FeatureOptions {
+    /// Which pair of opposite edges each tet marks.
+    pub marking: Marking,
     /// An edge of two surface faces is a crease if the angle between their
     /// outward normals exceeds this, in degrees; 180 for none.
     pub crease_angle: f64,
@@ -25,6 +28,7 @@ pub struct FeatureOptions {
 impl Default for FeatureOptions {
     fn default() -> Self {
         Self {
+            marking: Marking::default(),
             crease_angle: 40.0,
             group_curves: true,
             group_points: true,
@@ -43,7 +47,7 @@ pub fn prepare(mesh: TetMesh, options: &FeatureOptions) -> TetMesh {
     }
     let mut raw = mesh.into_raw();
     let topology = Topology::new(&raw);
-    mark_shortest(&mut raw, &topology);
+    mark(&mut raw, &topology, options.marking);
     raw.features = Some(find_features(&raw, &topology, options));
     TetMesh::trusted(raw)
 }

@@ -11,6 +11,7 @@ use rayon::prelude::*;
 
 use crate::chunks::CHUNK;
 use crate::raw_mesh::RawMesh;
+use crate::red_split::Parents;
 use crate::reference_tet::six_volumes;
 use crate::subdivision_matrix::SubdivisionMatrix;
 
@@ -66,6 +67,8 @@ pub(crate) struct Guard<'a> {
     pub floor: f64,
     pub coarse: &'a RawMesh,
     pub coarse_edges: &'a [[u32; 2]],
+    /// The coarse tets in the order that they are split in.
+    pub parents: &'a Parents<'a>,
     pub fine_tets: &'a [[u32; 4]],
 }
 
@@ -98,7 +101,7 @@ impl Guard<'_> {
     /// that mends it by itself.
     fn raise(&self, smooth: &[[f64; 3]], shares: &[u8]) -> Vec<(u32, u8)> {
         let mend = |(t, tet): (usize, &[u32; 4])| {
-            let parent = self.coarse.tets[t / 8].map(|v| self.coarse.points[v as usize]);
+            let parent = self.parents.vertices(t / 8).map(|v| self.coarse.points[v as usize]);
             let quality = |least: u8| {
                 let at = |v: u32| self.position(smooth, v, shares[v as usize].max(least));
                 lattice_mean_ratio(tet.map(at))

@@ -3,7 +3,8 @@
 use rayon::prelude::*;
 
 use crate::features::{FeatureOptions, prepare};
-use crate::subdivide::{Refinement, Step, SubdivideError, subdivide};
+use crate::step::Step;
+use crate::subdivide::{Refinement, SubdivideError, subdivide};
 use crate::subdivision_matrix::SubdivisionMatrix;
 use crate::tet_mesh::TetMesh;
 use crate::topology::Topology;

@@ -19,7 +19,7 @@ use rayon::prelude::*;
 
 use crate::buckets::{Counting, Entry};
 use crate::chunks::CHUNK;
-use crate::reference_tet::{CHILDREN, EDGES, FACES, MARKED, edge_between};
+use crate::reference_tet::{CHILDREN, EDGES, FACES, MARKING_PERMUTATIONS, PAIRS, edge_between};
 use crate::topology::{NONE, Topology, VertexEdges, ascending};
 
 /// Fine tets, with their edges and faces.
@@ -28,17 +28,20 @@ pub(crate) struct RedSplit {
     pub topology: Topology,
 }
 
+/// The coarse tets, and the pair of each whose diagonal splits it.
+pub(crate) struct Parents<'a> {
+    pub tets: &'a [[u32; 4]],
+    pub topology: &'a Topology,
+    /// As in [`MARKING_PERMUTATIONS`]; without them, all split their marked pair.
+    pub pairs: Option<&'a [u8]>,
+}
+
 /// Splits every tet; child k of tet t is tet 8 t + k.
-pub(crate) fn red_split(
-    tets: &[[u32; 4]],
-    coarse: &Topology,
-    vertex_edges: &VertexEdges,
-) -> RedSplit {
+pub(crate) fn red_split(coarse: &Parents, vertex_edges: &VertexEdges) -> RedSplit {
     let fine_edges = FineEdges::new(coarse, vertex_edges);
-    let fine_faces = FineFaces::new(tets, coarse, &fine_edges);
-    let parents = || {
-        (0..tets.len()).into_par_iter().with_min_len(CHUNK).map(|t| Parent::new(t, tets, coarse))
-    };
+    let fine_faces = FineFaces::new(coarse, &fine_edges);
+    let parents =
+        || (0..coarse.tets.len()).into_par_iter().with_min_len(CHUNK).map(|t| coarse.parent(t));
     let fine_tets: Vec<[[u32; 4]; 8]> =
         parents().map(|parent| CHILDREN.map(|nodes| nodes.map(|node| parent.node(node)))).collect();
     let tet_edges: Vec<[[u32; 6]; 8]> = parents()
@@ -154,6 +157,41 @@ fn face_slot(nodes: [usize; 3], inner: &mut Vec<[usize; 3]>) -> FaceSlot {
     FaceSlot::Inner { index }
 }
 
+impl Parents<'_> {
+    fn pair(&self, tet: usize) -> usize {
+        self.pairs.map_or(0, |pairs| usize::from(pairs[tet]))
+    }
+
+    /// The vertices of one tet, in the order that it is split in.
+    pub fn vertices(&self, tet: usize) -> [u32; 4] {
+        MARKING_PERMUTATIONS[self.pair(tet)].map(|v| self.tets[tet][v])
+    }
+
+    /// One tet, reordered if it is to be split along another diagonal.
+    fn parent(&self, tet: usize) -> Parent {
+        let (vertices, edges) = (self.tets[tet], self.topology.tet_edges[tet]);
+        let faces = self.topology.tet_faces[tet];
+        let midpoints = self.topology.vertex_count() as u32;
+        let pair = self.pair(tet);
+        if pair == 0 {
+            return Parent { tet, vertices, edges, faces, midpoints };
+        }
+        let order = MARKING_PERMUTATIONS[pair];
+        Parent {
+            tet,
+            vertices: self.vertices(tet),
+            edges: EDGES.map(|[a, b]| edges[edge_between(order[a], order[b])]),
+            faces: order.map(|v| faces[v]),
+            midpoints,
+        }
+    }
+
+    /// The edges whose midpoints the inner diagonal of a tet joins.
+    fn split_pair(&self, tet: usize) -> [u32; 2] {
+        PAIRS[self.pair(tet)].map(|edge| self.topology.tet_edges[tet][edge])
+    }
+}
+
 /// A coarse tet with what its children's numbers are looked up from.
 struct Parent {
     tet: usize,
@@ -164,16 +202,6 @@ struct Parent {
 }
 
 impl Parent {
-    fn new(tet: usize, tets: &[[u32; 4]], coarse: &Topology) -> Self {
-        Self {
-            tet,
-            vertices: tets[tet],
-            edges: coarse.tet_edges[tet],
-            faces: coarse.tet_faces[tet],
-            midpoints: coarse.vertex_count() as u32,
-        }
-    }
-
     fn node(&self, node: usize) -> u32 {
         if node < 4 { self.vertices[node] } else { self.midpoints + self.edges[node - 4] }
     }
@@ -223,28 +251,27 @@ struct FineEdges {
 }
 
 impl FineEdges {
-    fn new(coarse: &Topology, vertex_edges: &VertexEdges) -> Self {
+    fn new(parents: &Parents, vertex_edges: &VertexEdges) -> Self {
+        let (coarse, tets) = (parents.topology, parents.tets.len());
         let n = coarse.vertex_count() as u32;
         let half_count = 2 * coarse.edges.len() as u32;
         let faces = &coarse.face_edges;
-        let tets = &coarse.tet_edges;
         let cut_entries = |f: usize| {
             let [ab, ac, bc] = faces[f];
             let cuts = [[ab, ac], [ab, bc], [ac, bc]];
             std::array::from_fn(|i| inner_entry(cuts[i], 3 * f + i))
         };
-        let diagonal_entry =
-            |t: usize| [inner_entry(MARKED.map(|e| tets[t][e]), 3 * faces.len() + t)];
+        let diagonal_entry = |t: usize| [inner_entry(parents.split_pair(t), 3 * faces.len() + t)];
         let buckets = Counting::new(coarse.edges.len())
             .count::<3>(faces.len(), |f| cut_entries(f).map(|entry| entry.bucket))
-            .count(tets.len(), |t| diagonal_entry(t).map(|entry| entry.bucket))
+            .count(tets, |t| diagonal_entry(t).map(|entry| entry.bucket))
             .place()
             .place(faces.len(), cut_entries)
-            .place(tets.len(), diagonal_entry)
+            .place(tets, diagonal_entry)
             .sort();
         let first_inner = buckets.offsets().to_vec();
         let inner = buckets.map_distinct(&first_inner, |low, run| [n + low, n + run[0].key]);
-        let mut numbers = buckets.number_payloads(&first_inner, 3 * faces.len() + tets.len());
+        let mut numbers = buckets.number_payloads(&first_inner, 3 * faces.len() + tets);
         numbers.par_iter_mut().for_each(|number| *number += half_count);
         let diagonals = numbers.split_off(3 * faces.len());
         let first_halves = vertex_edges.offsets();
@@ -278,7 +305,8 @@ struct FineFaces {
 }
 
 impl FineFaces {
-    fn new(tets: &[[u32; 4]], coarse: &Topology, fine: &FineEdges) -> Self {
+    fn new(parents: &Parents, fine: &FineEdges) -> Self {
+        let (coarse, tets) = (parents.topology, parents.tets.len());
         let faces = coarse.faces.len();
         // A fine face is its three edges in the order ab, ac, bc of ascending
         // vertices; its last vertex is the higher end of the second.
@@ -293,7 +321,7 @@ impl FineFaces {
             ]
         };
         let inner_edges = |t: usize| {
-            let parent = Parent::new(t, tets, coarse);
+            let parent = parents.parent(t);
             SLOTS.inner.map(|mut edges| {
                 edges.sort_unstable_by_key(|&e| parent.edges[e]);
                 let [p, q, r] = edges;
@@ -316,10 +344,10 @@ impl FineFaces {
         };
         let buckets = Counting::new(fine.edges.len())
             .count::<4>(faces, |f| part_edges(f).map(|edges| edges[0]))
-            .count::<8>(tets.len(), |t| inner_edges(t).map(|edges| edges[0]))
+            .count::<8>(tets, |t| inner_edges(t).map(|edges| edges[0]))
             .place()
             .place::<4>(faces, part_entries)
-            .place::<8>(tets.len(), inner_entries)
+            .place::<8>(tets, inner_entries)
             .sort();
         let first = buckets.offsets().to_vec();
         let face_edges = buckets.map_distinct(&first, |_, run| {
@@ -333,7 +361,7 @@ impl FineFaces {
             let [a, b] = fine.edges[edge as usize];
             [a, b, run[0].key]
         });
-        let mut numbers = buckets.number_payloads(&first, 4 * faces + 8 * tets.len());
+        let mut numbers = buckets.number_payloads(&first, 4 * faces + 8 * tets);
         let inner = numbers.split_off(4 * faces);
         Self {
             faces: vertices,
@@ -369,12 +397,21 @@ mod tests {
     use crate::raw_mesh::RawMesh;
     use crate::shapes::{five_tet_cube, kuhn_box, regular_tet};
 
-    /// Twice split, the topology from the parents equals that from scratch.
+    /// Twice split, the topology from the parents equals that from scratch;
+    /// along the marked diagonals or along any others.
     fn compare(mesh: RawMesh) {
-        let mut mesh = RawMesh { triangles: Default::default(), ..mesh };
+        let mesh = RawMesh { triangles: Default::default(), ..mesh };
+        compare_along(mesh.clone(), |_| None);
+        compare_along(mesh, |tets| Some((0..tets).map(|t| (t * t % 7 % 3) as u8).collect()));
+    }
+
+    fn compare_along(mut mesh: RawMesh, pairs: fn(usize) -> Option<Vec<u8>>) {
         let mut topology = Topology::new(&mesh);
         for _ in 0..2 {
-            let split = red_split(&mesh.tets, &topology, &VertexEdges::new(&topology));
+            let pairs = pairs(mesh.tets.len());
+            let parents =
+                Parents { tets: &mesh.tets, topology: &topology, pairs: pairs.as_deref() };
+            let split = red_split(&parents, &VertexEdges::new(&topology));
             mesh.points.resize(mesh.points.len() + topology.edges.len(), [0.0; 3]);
             mesh.tets = split.tets;
             topology = Topology::new(&mesh);

@@ -28,6 +28,10 @@ pub const FACES: [[usize; 3]; 4] = [[1, 2, 3], [0, 3, 2], [0, 1, 3], [0, 2, 1]];
 /// The two marked edges of a tet, x0 x2 and x1 x3.
 pub const MARKED: [usize; 2] = [1, 4];
 
+/// The three pairs of opposite edges, by the entry of [`MARKING_PERMUTATIONS`]
+/// that marks them.
+pub const PAIRS: [[usize; 2]; 3] = [MARKED, [0, 5], [2, 3]];
+
 /// The eight children of the red split by node, all oriented as the parent:
 /// four at the corners, then the four quarters of the inner octahedron.
 pub const CHILDREN: [[usize; 4]; 8] = [
@@ -99,6 +103,14 @@ pub const fn opposite_ends(edge: usize) -> [usize; 2] {
     EDGES[5 - edge]
 }
 
+/// The one edge of a pair that lies in a face; each pair has another.
+pub const fn edge_in_face(pair: usize, face: usize) -> usize {
+    let [first, second] = PAIRS[pair];
+    // An edge lies in the face opposite a vertex that is none of its ends.
+    let [a, b] = EDGES[first];
+    if a == face || b == face { second } else { first }
+}
+
 /// Six times the signed volume of a tet, in cubed mesh units.
 pub fn six_volumes(corners: [[f64; 3]; 4]) -> f64 {
     let [o, a, b, c] = corners;
@@ -141,6 +153,7 @@ mod tests {
     #[test]
     fn marking_permutations_are_even_and_mark_each_pair() {
         for (p, pair) in [[[0, 2], [1, 3]], [[0, 1], [2, 3]], [[0, 3], [1, 2]]].iter().enumerate() {
+            assert_eq!(PAIRS[p].map(|e| EDGES[e]), *pair);
             let order = MARKING_PERMUTATIONS[p];
             assert_eq!(six_volumes(order.map(|v| CORNERS[v])), 1.0, "even");
             let marked = MARKED.map(|e| {
@@ -149,6 +162,16 @@ mod tests {
                 ends
             });
             assert!(marked.contains(&pair[0]) && marked.contains(&pair[1]));
+        }
+    }
+
+    #[test]
+    fn each_pair_has_its_own_edge_in_a_face() {
+        for face in 0..4 {
+            let mut edges = [0, 1, 2].map(|pair| edge_in_face(pair, face));
+            assert!(edges.iter().all(|&e| EDGES[e].iter().all(|v| FACES[face].contains(v))));
+            edges.sort_unstable();
+            assert!(edges[0] < edges[1] && edges[1] < edges[2]);
         }
     }
 

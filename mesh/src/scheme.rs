@@ -25,8 +25,6 @@ pub enum Scheme {
     LoopSolid {
         /// The weight c of an interior vertex itself.
         interior: f64,
-        /// Which inner diagonal splits a tet.
-        diagonal: Diagonal,
     },
 }
 
@@ -41,21 +39,12 @@ pub enum MarkedRule {
     Literal,
 }
 
-/// Which inner diagonal the red split takes.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Diagonal {
-    /// The marked pair, as handed on from the parent.
-    Inherit,
-    /// The shortest at every level, as published; ties keep the marked pair.
-    ShortestEachLevel,
-}
-
 impl Scheme {
     /// The interpolatory scheme with its usual tension.
     pub const INTERPOLATORY: Self =
         Self::Interpolatory { tension: 1.0 / 16.0, marked: MarkedRule::PlaneButterfly };
     /// The Loop-based scheme with its usual weight.
-    pub const LOOP_SOLID: Self = Self::LoopSolid { interior: 0.8, diagonal: Diagonal::Inherit };
+    pub const LOOP_SOLID: Self = Self::LoopSolid { interior: 0.8 };
 
     /// The name by which configurations and the command line call it.
     pub fn name(self) -> &'static str {

@@ -7,30 +7,14 @@ use rayon::prelude::*;
 use crate::assemble_matrix::matrix_with;
 use crate::chunks::CHUNK;
 use crate::guard::{Guard, GuardReport};
+use crate::marking::shortest_pairs;
 use crate::raw_mesh::{Features, RawMesh, Tagged};
-use crate::red_split::red_split;
+use crate::red_split::{Parents, red_split};
 use crate::reference_tet::{CellState, six_volumes};
-use crate::scheme::Scheme;
+use crate::step::{Diagonal, Step};
 use crate::subdivision_matrix::SubdivisionMatrix;
 use crate::tet_mesh::TetMesh;
 use crate::topology::{Topology, VertexEdges, ascending};
-
-/// What one subdivision step is asked to do. A scheme alone is a step without a
-/// guard.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Step {
-    /// Which weights.
-    pub scheme: Scheme,
-    /// Keep η above this by pulling rows back to the linear rule; `None` for
-    /// no guard. A tet whose parent is below keeps the parent's quality.
-    pub min_quality: Option<f64>,
-}
-
-impl From<Scheme> for Step {
-    fn from(scheme: Scheme) -> Self {
-        Self { scheme, min_quality: None }
-    }
-}
 
 /// How a fine mesh came from a coarse one by the red split.
 ///
@@ -91,7 +75,9 @@ fn list(numbers: &[u32]) -> String {
     numbers.iter().map(u32::to_string).collect::<Vec<_>>().join(", ")
 }
 
-/// Subdivides a prepared mesh once; `level` is that of the result, for messages.
+/// Subdivides a prepared mesh once, by a scheme or a [`Step`]; `level` is that of
+/// the result, for messages. The order of the coarse tets stays, whatever the
+/// diagonals.
 ///
 /// Regions, tags, names and features are inherited by all children; the fine
 /// mesh's topology comes with it.
@@ -105,7 +91,7 @@ pub fn subdivide(
     step: impl Into<Step>,
     level: usize,
 ) -> Result<(TetMesh, Topology, Refinement), SubdivideError> {
-    let Step { scheme, min_quality } = step.into();
+    let Step { scheme, diagonal, min_quality } = step.into();
     let coarse = mesh.raw();
     if 8 * coarse.tets.len() > MAX_TETS {
         return Err(SubdivideError::TooLarge { level, tets: 8 * coarse.tets.len() });
@@ -113,9 +99,20 @@ pub fn subdivide(
     let vertex_edges = VertexEdges::new(topology);
     let mut matrix = matrix_with(coarse, topology, &vertex_edges, scheme);
     let mut points = matrix.apply(&coarse.points);
-    let split = red_split(&coarse.tets, topology, &vertex_edges);
+    let pairs = match diagonal {
+        Diagonal::Inherit => None,
+        Diagonal::ShortestEachLevel => Some(shortest_pairs(coarse)),
+    };
+    let parents = Parents { tets: &coarse.tets, topology, pairs: pairs.as_deref() };
+    let split = red_split(&parents, &vertex_edges);
     let guard = min_quality.map(|floor| {
-        let guard = Guard { floor, coarse, coarse_edges: topology.edges(), fine_tets: &split.tets };
+        let guard = Guard {
+            floor,
+            coarse,
+            coarse_edges: topology.edges(),
+            parents: &parents,
+            fine_tets: &split.tets,
+        };
         guard.apply(&mut matrix, &mut points)
     });
     refuse_inverted(&points, &split.tets, level)?;
@@ -123,7 +120,7 @@ pub fn subdivide(
         points,
         regions: coarse.regions.iter().flat_map(|&region| [region; 8]).collect(),
         tets: split.tets,
-        ..split_tags(coarse, topology)
+        ..split_tags(coarse, topology, diagonal)
     };
     Ok((TetMesh::trusted(fine), split.topology, Refinement { matrix, guard }))
 }
@@ -155,7 +152,7 @@ fn refuse_inverted(
 }
 
 /// Tagged simplices, names and features, split like the tets.
-fn split_tags(coarse: &RawMesh, topology: &Topology) -> RawMesh {
+fn split_tags(coarse: &RawMesh, topology: &Topology, diagonal: Diagonal) -> RawMesh {
     let midpoint = |a: u32, b: u32| {
         let edge = topology.edge_between(a, b).expect("tagged simplices have their edges numbered");
         topology.vertex_count() as u32 + edge
@@ -174,7 +171,12 @@ fn split_tags(coarse: &RawMesh, topology: &Topology) -> RawMesh {
             let mut creases: Vec<_> =
                 features.creases.iter().flat_map(|&edge| halves(edge)).map(ascending).collect();
             creases.sort_unstable();
-            Features { creases, cell_states: split_states(coarse, features), ..features.clone() }
+            let cell_states = match diagonal {
+                Diagonal::Inherit => split_states(coarse, features),
+                // Octahedra that are not split along their diagonals leave no octet truss.
+                Diagonal::ShortestEachLevel => Vec::new(),
+            };
+            Features { creases, cell_states, ..features.clone() }
         }),
         ..RawMesh::default()
     }

@@ -14,7 +14,7 @@ fn eta_min(mesh: &TetMesh) -> f64 {
 fn guarded(mesh: TetMesh, scheme: Scheme, floor: f64, levels: usize) -> Hierarchy {
     let mut hierarchy = Hierarchy::new(mesh, &FeatureOptions::default());
     for _ in 0..levels {
-        hierarchy.subdivide(Step { scheme, min_quality: Some(floor) }).unwrap();
+        hierarchy.subdivide(Step { min_quality: Some(floor), ..scheme.into() }).unwrap();
     }
     hierarchy
 }
@@ -91,7 +91,7 @@ fn a_jittered_block_stays_above_half_its_quality_under_every_scheme() {
         ] {
             let mut levels = Hierarchy::new(mesh.clone(), &options);
             for _ in 0..3 {
-                levels.subdivide(Step { scheme, min_quality: Some(floor) }).unwrap();
+                levels.subdivide(Step { min_quality: Some(floor), ..scheme.into() }).unwrap();
                 assert!(eta_min(levels.finest()) >= floor * (1.0 - 1e-8), "{}", scheme.name());
             }
         }

@@ -1,5 +1,9 @@
 //! Readying the coarsest mesh, once: its marking, its creases and corners.
 
+mod extra;
+
+pub use extra::{ExtraFeatures, FeatureError};
+
 use crate::marking::{Marking, mark};
 use crate::raw_mesh::{Features, RawMesh};
 use crate::strata::{Incidence, opposite_vertices, surface_faces};
@@ -23,6 +27,8 @@ pub struct FeatureOptions {
     pub group_borders: bool,
     /// Surface groups that are surface strata even inside a region.
     pub surfaces: Vec<i32>,
+    /// Creases and corners that were asked for by their vertices.
+    pub extra: ExtraFeatures,
 }
 
 impl Default for FeatureOptions {
@@ -34,6 +40,7 @@ impl Default for FeatureOptions {
             group_points: true,
             group_borders: true,
             surfaces: Vec::new(),
+            extra: ExtraFeatures::default(),
         }
     }
 }
@@ -55,9 +62,9 @@ pub fn prepare(mesh: TetMesh, options: &FeatureOptions) -> TetMesh {
 /// Finds creases and corners.
 ///
 /// A crease is an edge of a surface stratum with other than two of its faces,
-/// one sharper than the angle, one between different surface groups, or a
-/// tagged edge. A corner is a tagged vertex, or one where a surface
-/// touches itself in a point only.
+/// one sharper than the angle, one between different surface groups, a tagged
+/// edge, or one asked for. A corner is a tagged vertex, one asked for, or one
+/// where a surface touches itself in a point only.
 pub fn find_features(mesh: &RawMesh, topology: &Topology, options: &FeatureOptions) -> Features {
     let mut features = Features { surfaces: options.surfaces.clone(), ..Features::default() };
     features.surfaces.sort_unstable();
@@ -90,6 +97,8 @@ pub fn find_features(mesh: &RawMesh, topology: &Topology, options: &FeatureOptio
     if options.group_points {
         features.corners.extend(mesh.vertices.simplices.iter().map(|&[v]| v));
     }
+    features.creases.extend(options.extra.creases());
+    features.corners.extend(options.extra.corners());
     features.corners.extend(touching_points(topology, &is_surface));
     features.creases.sort_unstable();
     features.creases.dedup();

@@ -38,7 +38,7 @@ pub mod topology;
 
 pub use assemble_matrix::subdivision_matrix;
 pub use check::{CheckError, CheckOptions, Checked, check, findings};
-pub use features::{FeatureOptions, prepare};
+pub use features::{ExtraFeatures, FeatureError, FeatureOptions, prepare};
 pub use finding::{Finding, FindingKind};
 pub use hierarchy::Hierarchy;
 pub use marking::{Marking, MarkingReport, marking_report};

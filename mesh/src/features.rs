@@ -27,7 +27,8 @@ pub struct FeatureOptions {
     pub group_borders: bool,
     /// Surface groups that are surface strata even inside a region.
     pub surfaces: Vec<i32>,
-    /// Creases and corners that were asked for by their vertices.
+    /// Creases and corners that were asked for by their vertices, of the mesh
+    /// that is readied.
     pub extra: ExtraFeatures,
 }
 
@@ -47,7 +48,8 @@ impl Default for FeatureOptions {
 
 /// Readies a coarsest mesh for refinement: marks its tets and finds its
 /// features. A mesh that carries features has been through this and is
-/// returned as it is, so that refining twice by one level equals once by two.
+/// returned as it is, whatever the options, so that refining twice by one level
+/// equals once by two.
 pub fn prepare(mesh: TetMesh, options: &FeatureOptions) -> TetMesh {
     if mesh.features().is_some() {
         return mesh;

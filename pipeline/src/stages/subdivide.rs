@@ -120,6 +120,7 @@ impl Subdivide {
             group_points: self.group_points,
             group_borders: self.group_borders,
             surfaces,
+            ..FeatureOptions::default()
         })
     }
 }

@@ -14,7 +14,7 @@ fn shortest(scheme: Scheme) -> Step {
 fn etas(mesh: &TetMesh) -> [f64; 3] {
     let summary = quality::summarise(mesh.raw()).unwrap();
     let largest = quality::mean_ratios(mesh.raw()).into_iter().fold(0.0, f64::max);
-    [summary.eta_min, largest, summary.eta_mean]
+    [summary.eta.min, largest, summary.eta.mean]
 }
 
 #[test]

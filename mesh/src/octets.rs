@@ -33,23 +33,21 @@ impl Octets {
         let mut of_tet = vec![NONE; mesh.tets.len()];
         let mut is_diagonal = vec![false; topology.edges().len()];
         let mut octahedra = Vec::new();
-        for (tet, &state) in states.iter().enumerate() {
-            let Some(local) = state.diagonal() else { continue };
-            let diagonal = topology.tet_edges()[tet][local];
-            if std::mem::replace(&mut is_diagonal[diagonal as usize], true) {
+        for (tet, (edges, state)) in topology.tet_edges().iter().zip(states).enumerate() {
+            let Some(diagonal) = state.diagonal().map(|local| edges[local]) else { continue };
+            let quarters = near.round(diagonal);
+            if quarters[0] as usize / 6 != tet {
                 continue;
             }
-            let quarters = near.round(diagonal);
-            quarters.iter().for_each(|&slot| of_tet[slot as usize / 6] = octahedra.len() as u32);
-            let tet = mesh.tets[quarters[0] as usize / 6];
-            let poles = near.ends(diagonal);
-            let first =
-                tet.into_iter().find(|v| !poles.contains(v)).expect("a tet has four vertices");
-            let cycle = near.cyclic_link(diagonal, first);
-            octahedra.push(Octahedron {
-                poles,
-                cycle: cycle.try_into().expect("four tets make an octahedron"),
-            });
+            // Where a mesh was cut through an octahedron, what is left of it
+            // counts as tetrahedral cells.
+            if let Some(octahedron) = Octahedron::new(near, diagonal) {
+                is_diagonal[diagonal as usize] = true;
+                quarters
+                    .iter()
+                    .for_each(|&slot| of_tet[slot as usize / 6] = octahedra.len() as u32);
+                octahedra.push(octahedron);
+            }
         }
         let corners = (0u32..).zip(&octahedra).flat_map(|(number, octahedron)| {
             octahedron.vertices().map(move |vertex| [vertex, number])
@@ -103,6 +101,16 @@ impl Octets {
 }
 
 impl Octahedron {
+    /// The four tets round an interior edge, if it has four.
+    fn new(near: &Neighbourhoods, diagonal: u32) -> Option<Self> {
+        let &[first, _, _, _] = near.round(diagonal) else { return None };
+        if near.strata.edge_dimensions[diagonal as usize] < 3 {
+            return None;
+        }
+        let cycle = near.cyclic_link(diagonal, near.link_edge(first)[0]);
+        Some(Self { poles: near.ends(diagonal), cycle: cycle.try_into().ok()? })
+    }
+
     fn vertices(&self) -> impl Iterator<Item = u32> {
         self.poles.into_iter().chain(self.cycle)
     }

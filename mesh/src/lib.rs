@@ -11,6 +11,7 @@
 //! by sorting. [`reference_tet`] owns every table about a single tet,
 //! [`Scheme`] every weight, [`strata`] decides which rule holds where.
 
+pub mod analysis;
 mod assemble_matrix;
 mod buckets;
 pub mod check;

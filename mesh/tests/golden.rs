@@ -10,7 +10,8 @@ mod common;
 use std::fmt::Write;
 use std::path::Path;
 
-use common::{Marks, edge_ring, hierarchy, smooth};
+use common::{hierarchy, smooth};
+use octruss_mesh::analysis::stars::{Marks, edge_ring};
 use octruss_mesh::{FeatureOptions, Hierarchy, Scheme, TetMesh, shapes};
 
 fn as_text(mesh: &TetMesh) -> String {

@@ -1,10 +1,8 @@
 //! The box-spline rules written down the slow, obvious way, beside the fast ones.
 
-mod common;
-
 use std::collections::{BTreeMap, BTreeSet};
 
-use common::{Marks, edge_ring, stack};
+use octruss_mesh::analysis::stars::{Marks, edge_ring, stack};
 use octruss_mesh::{
     FeatureOptions, Hierarchy, Scheme, TetMesh, prepare, shapes, subdivision_matrix,
 };

@@ -114,16 +114,18 @@ proptest! {
             topology.face_edges()[face].iter().for_each(|&e| boundary_edges[e as usize] = true);
         }
         let n = mesh.points().len();
-        let matrix = subdivision_matrix(mesh, topology, Scheme::BoxSpline);
-        prop_assert_eq!((matrix.rows(), matrix.columns()), (n + topology.edges().len(), n));
-        for row in 0..matrix.rows() {
-            let (columns, weights) = matrix.row(row);
-            prop_assert!((weights.iter().sum::<f64>() - 1.0).abs() < 1e-14);
-            prop_assert!(weights.iter().all(|&w| w > 0.0));
-            prop_assert!(columns.is_sorted_by(|a, b| a < b));
-            let is_boundary = if row < n { on_boundary[row] } else { boundary_edges[row - n] };
-            if is_boundary {
-                prop_assert!(columns.iter().all(|&c| on_boundary[c as usize]), "row {}", row);
+        for scheme in Scheme::ALL {
+            let matrix = subdivision_matrix(mesh, topology, scheme);
+            prop_assert_eq!((matrix.rows(), matrix.columns()), (n + topology.edges().len(), n));
+            for row in 0..matrix.rows() {
+                let (columns, weights) = matrix.row(row);
+                prop_assert!((weights.iter().sum::<f64>() - 1.0).abs() < 1e-13, "{scheme:?}");
+                prop_assert!(scheme.overshoots() || weights.iter().all(|&w| w > 0.0), "{scheme:?}");
+                prop_assert!(columns.is_sorted_by(|a, b| a < b));
+                let is_boundary = if row < n { on_boundary[row] } else { boundary_edges[row - n] };
+                if is_boundary {
+                    prop_assert!(columns.iter().all(|&c| on_boundary[c as usize]), "{scheme:?} row {row}");
+                }
             }
         }
     }

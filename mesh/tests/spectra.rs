@@ -4,7 +4,7 @@ mod common;
 
 use common::{assert_spectrum, at_vertex, on_edge, smooth};
 use octruss_mesh::analysis::stars::{Marks, edge_ring, stack};
-use octruss_mesh::{Scheme, shapes};
+use octruss_mesh::{FeatureOptions, Scheme, prepare, shapes};
 
 #[test]
 fn extraordinary_vertices_have_the_published_spectra() {
@@ -140,4 +140,19 @@ fn boundary_vertices_of_a_smooth_block_have_their_reference_spectra() {
     // beside 1/8 of the two rings that the single tet's face needs.
     let single = at_vertex(&smooth(shapes::regular_tet()), 0, Scheme::BoxSpline);
     assert_spectrum(&single, &[1.0, 0.25, 0.25, 0.0625], 1e-7, "single tet");
+}
+
+#[test]
+fn creases_and_corners_of_a_block_keep_the_linear_spectrum() {
+    // A creased Kuhn block is reproduced exactly, so linear functions are
+    // eigenvectors of 1/2 at every vertex that moves; a corner is fixed.
+    let mesh = prepare(shapes::kuhn_cube(2), &FeatureOptions::default());
+    for (vertex, point) in mesh.points().iter().enumerate() {
+        for scheme in [Scheme::BoxSpline, Scheme::INTERPOLATORY, Scheme::LOOP_SOLID] {
+            let spectrum = at_vertex(&mesh, vertex as u32, scheme).spectrum().unwrap();
+            let half = |z: &&[f64; 2]| (z[0] - 0.5).abs() < 1e-9 && z[1].abs() < 1e-9;
+            assert!(spectrum.is_convergent(), "{scheme:?} {point:?}");
+            assert!(spectrum.eigenvalues.iter().filter(half).count() >= 3, "{scheme:?} {point:?}");
+        }
+    }
 }

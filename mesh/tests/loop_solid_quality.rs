@@ -12,7 +12,7 @@ fn qualities(mesh: TetMesh, scheme: Scheme, levels: usize) -> Vec<(f64, f64)> {
         .map(|_| {
             hierarchy.subdivide(scheme).unwrap();
             let summary = quality::summarise(hierarchy.finest().raw()).unwrap();
-            (summary.eta_min, summary.eta_mean)
+            (summary.eta.min, summary.eta.mean)
         })
         .collect()
 }

@@ -4,7 +4,7 @@ mod common;
 
 use std::array::from_fn;
 
-use common::{Marks, edge_ring};
+use octruss_mesh::analysis::stars::{Marks, edge_ring};
 use octruss_mesh::marking::mark;
 use octruss_mesh::reference_tet::{EDGES, MARKED, MARKING_PERMUTATIONS, six_volumes};
 use octruss_mesh::{

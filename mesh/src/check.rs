@@ -3,9 +3,10 @@
 use rayon::prelude::*;
 
 use crate::chunks::CHUNK;
+use crate::components::first_tets;
 use crate::finding::{Finding, FindingKind};
 use crate::raw_mesh::{RawMesh, Tagged};
-use crate::reference_tet::{FACES, six_volumes};
+use crate::reference_tet::{EDGES, FACES, six_volumes};
 use crate::tet_mesh::TetMesh;
 use crate::topology::{Topology, ascending};
 
@@ -14,6 +15,9 @@ const EXAMPLES: usize = 5;
 
 /// A volume below this share of the longest edge cubed is rounding, not volume.
 const FLAT: f64 = 1e-14;
+
+/// Places of simplices are counted in 32 bits: six edges a tet, three a triangle.
+const MAX_SLOTS: usize = u32::MAX as usize;
 
 /// What [`check()`] may change.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
@@ -51,13 +55,20 @@ fn lines(findings: &[Finding]) -> String {
 /// # Errors
 /// With every finding if one of them stops ([`FindingKind::stops`]).
 pub fn check(mut raw: RawMesh, options: &CheckOptions) -> Result<Checked, CheckError> {
-    let findings = findings(&raw);
-    let mended = |kind| options.reorient && kind == FindingKind::InvertedTets;
-    if findings.iter().any(|finding| finding.kind.stops() && !mended(finding.kind)) {
+    let mut findings = findings(&raw);
+    for finding in &mut findings {
+        finding.mended = options.reorient && finding.kind == FindingKind::InvertedTets;
+    }
+    if findings.iter().any(|finding| finding.kind.stops() && !finding.mended) {
         return Err(CheckError { findings });
     }
     if options.reorient {
         reorient(&mut raw);
+    }
+    if findings.iter().any(|finding| finding.kind == FindingKind::RepeatedSimplices) {
+        drop_repeated(&mut raw.triangles);
+        drop_repeated(&mut raw.edges);
+        drop_repeated(&mut raw.vertices);
     }
     let unused = findings.iter().any(|finding| finding.kind == FindingKind::UnusedVertices);
     let kept_vertices = unused.then(|| drop_unused_vertices(&mut raw));
@@ -66,11 +77,16 @@ pub fn check(mut raw: RawMesh, options: &CheckOptions) -> Result<Checked, CheckE
 
 /// Everything wrong or remarkable about a mesh, the worst first; empty if it is clean.
 pub fn findings(raw: &RawMesh) -> Vec<Finding> {
+    let slots = 6 * raw.tets.len() + 3 * raw.triangles.len() + raw.edges.len();
+    if slots > MAX_SLOTS {
+        let kind = FindingKind::TooLarge;
+        return vec![Finding { kind, count: slots, examples: Vec::new(), mended: false }];
+    }
     let mut found = Vec::new();
     let mut note = |kind, places: Vec<u32>| {
         if !places.is_empty() {
             let examples = places.iter().copied().take(EXAMPLES).collect();
-            found.push(Finding { kind, count: places.len(), examples });
+            found.push(Finding { kind, count: places.len(), examples, mended: false });
         }
     };
     let out_of_range = out_of_range(raw);
@@ -78,21 +94,33 @@ pub fn findings(raw: &RawMesh) -> Vec<Finding> {
     note(FindingKind::IndexOutOfRange, out_of_range);
     note(FindingKind::NonFiniteCoordinates, non_finite(raw));
     note(FindingKind::DuplicateVertices, duplicate_vertices(raw));
+    let degenerate = [degenerate(&raw.triangles), degenerate(&raw.edges)].concat();
+    let proper = degenerate.is_empty();
+    note(FindingKind::DegenerateSimplices, degenerate);
+    let repeated = [repeated(&raw.triangles), repeated(&raw.edges), repeated(&raw.vertices)];
+    note(FindingKind::RepeatedSimplices, repeated.concat());
     if in_range {
         let (flat, inverted) = flat_and_inverted(raw);
         note(FindingKind::ZeroVolumeTets, flat);
         note(FindingKind::InvertedTets, inverted);
         note(FindingKind::DuplicateTets, duplicate_tets(raw));
         note(FindingKind::OversharedFaces, overshared_faces(raw));
-        note(FindingKind::StrayCreases, stray_creases(raw));
+        if proper {
+            note(FindingKind::StrayCreases, stray_creases(raw));
+        }
         note(FindingKind::UnusedVertices, unused_vertices(raw));
-        let parts = parts(raw);
+        let parts = first_tets(raw);
         if parts.len() > 1 {
             note(FindingKind::DisconnectedParts, parts);
         }
     }
     if raw.tets.is_empty() {
-        found.push(Finding { kind: FindingKind::NoTets, count: 1, examples: Vec::new() });
+        found.push(Finding {
+            kind: FindingKind::NoTets,
+            count: 1,
+            examples: Vec::new(),
+            mended: false,
+        });
     }
     found.sort_by_key(|finding| finding.kind);
     found
@@ -132,9 +160,10 @@ fn duplicate_vertices(raw: &RawMesh) -> Vec<u32> {
 fn flat_and_inverted(raw: &RawMesh) -> (Vec<u32>, Vec<u32>) {
     let sign = |tet: &[u32; 4]| {
         let corners = tet.map(|v| raw.points[v as usize]);
-        let [o, others @ ..] = corners;
-        let length = |p: [f64; 3]| (0..3).map(|k| (p[k] - o[k]).powi(2)).sum::<f64>().sqrt();
-        let longest = others.map(length).into_iter().fold(0.0, f64::max);
+        let length = |[a, b]: [usize; 2]| {
+            (0..3).map(|k| (corners[a][k] - corners[b][k]).powi(2)).sum::<f64>().sqrt()
+        };
+        let longest = EDGES.map(length).into_iter().fold(0.0, f64::max);
         let volume = six_volumes(corners);
         if volume.abs() <= FLAT * longest.powi(3) { 0 } else { volume.signum() as i8 }
     };
@@ -186,36 +215,36 @@ fn unused_vertices(raw: &RawMesh) -> Vec<u32> {
     (0u32..).zip(is_used(raw)).filter(|&(_, used)| !used).map(|(v, _)| v).collect()
 }
 
-/// The first tet of each part, where tets that share a vertex belong together.
-pub fn parts(raw: &RawMesh) -> Vec<u32> {
-    let mut roots: Vec<u32> = (0..raw.points.len() as u32).collect();
-    for tet in &raw.tets {
-        let mut low = root(&mut roots, tet[0]);
-        for &v in &tet[1..] {
-            let other = root(&mut roots, v);
-            let (smaller, larger) = (low.min(other), low.max(other));
-            roots[larger as usize] = smaller;
-            low = smaller;
-        }
-    }
-    let mut seen = vec![false; raw.points.len()];
-    let mut first = Vec::new();
-    for (t, tet) in (0u32..).zip(&raw.tets) {
-        let part = root(&mut roots, tet[0]) as usize;
-        if !std::mem::replace(&mut seen[part], true) {
-            first.push(t);
-        }
-    }
-    first
+/// The first vertices of tagged simplices that name one twice.
+fn degenerate<const N: usize>(tagged: &Tagged<N>) -> Vec<u32> {
+    let repeats =
+        |simplex: &&[u32; N]| ascending(**simplex).windows(2).any(|pair| pair[0] == pair[1]);
+    tagged.simplices.iter().filter(repeats).map(|simplex| simplex[0]).collect()
 }
 
-/// The representative of a vertex's part; paths are halved on the way.
-fn root(roots: &mut [u32], mut v: u32) -> u32 {
-    while roots[v as usize] != v {
-        roots[v as usize] = roots[roots[v as usize] as usize];
-        v = roots[v as usize];
-    }
-    v
+/// The places of simplices that are listed earlier under the same tag.
+fn copies<const N: usize>(tagged: &Tagged<N>) -> Vec<usize> {
+    let places = tagged.iter().enumerate();
+    let mut order: Vec<([u32; N], i32, usize)> =
+        places.map(|(place, (simplex, tag))| (ascending(simplex), tag, place)).collect();
+    order.par_sort_unstable();
+    let repeats = order.windows(2).filter(|pair| (pair[0].0, pair[0].1) == (pair[1].0, pair[1].1));
+    let mut copies: Vec<usize> = repeats.map(|pair| pair[1].2).collect();
+    copies.sort_unstable();
+    copies
+}
+
+/// The first vertices of simplices listed twice.
+fn repeated<const N: usize>(tagged: &Tagged<N>) -> Vec<u32> {
+    copies(tagged).into_iter().map(|place| tagged.simplices[place][0]).collect()
+}
+
+fn drop_repeated<const N: usize>(tagged: &mut Tagged<N>) {
+    let mut keep = vec![true; tagged.len()];
+    copies(tagged).into_iter().for_each(|place| keep[place] = false);
+    let kept = tagged.iter().zip(&keep).filter(|(_, keep)| **keep).map(|(entry, _)| entry);
+    let (simplices, tags) = kept.unzip();
+    *tagged = Tagged { simplices, tags };
 }
 
 /// Swapping x0 and x2 turns a tet round and keeps its marked pair.
@@ -280,7 +309,14 @@ mod tests {
     fn each_defect_is_found_by_its_name() {
         let good = five_tet_cube().into_raw();
         type Damage = fn(&mut RawMesh);
-        let table: [(FindingKind, usize, Damage); 10] = [
+        let table: [(FindingKind, usize, Damage); 13] = [
+            (FindingKind::DegenerateSimplices, 1, |m| m.triangles.push([1, 1, 2], 5)),
+            (FindingKind::DegenerateSimplices, 1, |m| m.edges.push([2, 2], 5)),
+            (FindingKind::RepeatedSimplices, 1, |m| {
+                m.edges.push([2, 3], 5);
+                m.edges.push([2, 3], 6);
+                m.edges.push([3, 2], 5);
+            }),
             (FindingKind::StrayCreases, 1, |m| {
                 let creases = vec![[0, 3], [0, 7]];
                 m.features = Some(crate::Features { creases, ..Default::default() });
@@ -343,10 +379,17 @@ mod tests {
         assert!(check(raw.clone(), &CheckOptions::default()).is_err());
         let checked = check(raw, &CheckOptions { reorient: true }).unwrap();
         assert_eq!(checked.mesh.raw(), &good);
-        assert_eq!(
-            checked.findings[0].to_string(),
-            "1 inverted tets (tet 3): give --reorient to turn them round"
-        );
+        assert_eq!(checked.findings[0].to_string(), "1 inverted tets (tet 3): mended as asked");
+    }
+
+    #[test]
+    fn repeated_simplices_are_left_out() {
+        let mut raw = five_tet_cube().into_raw();
+        raw.edges.push([2, 3], 5);
+        raw.edges.push([2, 3], 6);
+        raw.edges.push([3, 2], 5);
+        let mesh = check(raw, &CheckOptions::default()).unwrap().mesh;
+        assert_eq!(mesh.edges().iter().collect::<Vec<_>>(), [([2, 3], 5), ([2, 3], 6)]);
     }
 
     #[test]

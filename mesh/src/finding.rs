@@ -11,6 +11,8 @@ pub struct Finding {
     pub count: usize,
     /// The first few places, as numbers (from 0) of what the kind names.
     pub examples: Vec<u32>,
+    /// Whether the check mended it.
+    pub mended: bool,
 }
 
 /// The kinds of problems, the worst first.
@@ -21,6 +23,8 @@ pub enum FindingKind {
     NoTets,
     /// A coordinate is infinite or not a number; examples are vertices.
     NonFiniteCoordinates,
+    /// More tets and tagged simplices than can be numbered in 32 bits.
+    TooLarge,
     /// A tet or tagged simplex names a vertex that does not exist; examples are
     /// the numbers it names.
     IndexOutOfRange,
@@ -35,6 +39,11 @@ pub enum FindingKind {
     /// The mesh records a crease that is not one of its edges; examples are
     /// vertices.
     StrayCreases,
+    /// A tagged triangle or edge names a vertex twice; examples are vertices.
+    DegenerateSimplices,
+    /// A tagged simplex is listed twice under one tag; examples are vertices.
+    /// The check leaves the copies out.
+    RepeatedSimplices,
     /// A vertex lies exactly where an earlier one does; examples are vertices.
     DuplicateVertices,
     /// No simplex uses a vertex; examples are vertices.
@@ -46,7 +55,7 @@ pub enum FindingKind {
 impl FindingKind {
     /// Whether refining and solving refuse such a mesh. The others are remarks.
     pub fn stops(self) -> bool {
-        self < Self::DuplicateVertices
+        self < Self::RepeatedSimplices
     }
 
     /// The name for reports, in kebab case.
@@ -60,6 +69,9 @@ impl FindingKind {
             Self::DuplicateTets => "duplicate-tets",
             Self::OversharedFaces => "overshared-faces",
             Self::StrayCreases => "stray-creases",
+            Self::TooLarge => "too-large",
+            Self::DegenerateSimplices => "degenerate-simplices",
+            Self::RepeatedSimplices => "repeated-simplices",
             Self::DuplicateVertices => "duplicate-vertices",
             Self::UnusedVertices => "unused-vertices",
             Self::DisconnectedParts => "disconnected-parts",
@@ -89,6 +101,13 @@ impl FindingKind {
             Self::StrayCreases => {
                 ("recorded creases that are not edges", "vertex", "repair the file")
             }
+            Self::TooLarge => ("simplices, too many to number", "", "split the mesh"),
+            Self::DegenerateSimplices => {
+                ("tagged triangles or edges that name a vertex twice", "vertex", "repair the file")
+            }
+            Self::RepeatedSimplices => {
+                ("tagged simplices listed twice under one tag", "vertex", "the copies are left out")
+            }
             Self::DuplicateVertices => (
                 "vertices on top of an earlier one",
                 "vertex",
@@ -115,6 +134,7 @@ impl fmt::Display for Finding {
             let separator = if i == 0 { "" } else { ", " };
             write!(f, "{separator}{noun} {number}")?;
         }
+        let advice = if self.mended { "mended as asked" } else { advice };
         let more = if self.count > self.examples.len() { ", …" } else { "" };
         write!(f, "{more}): {advice}")
     }

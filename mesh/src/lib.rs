@@ -16,6 +16,7 @@ mod assemble_matrix;
 mod buckets;
 pub mod check;
 mod chunks;
+pub mod components;
 pub mod features;
 pub mod finding;
 pub mod guard;

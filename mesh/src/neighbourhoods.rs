@@ -57,9 +57,10 @@ impl<'a> Neighbourhoods<'a> {
         a ^ b ^ vertex
     }
 
-    /// The vertices that share an edge with this one, diagonals included.
-    pub fn neighbours(&self, vertex: u32) -> impl ExactSizeIterator<Item = u32> {
-        self.edges_at(vertex).iter().map(move |&edge| self.other_end(edge, vertex))
+    /// The vertices that share an edge of a tet with this one, diagonals included.
+    pub fn neighbours(&self, vertex: u32) -> impl Iterator<Item = u32> + Clone {
+        let in_solid = self.edges_at(vertex).iter().filter(|&&edge| !self.round(edge).is_empty());
+        in_solid.map(move |&edge| self.other_end(edge, vertex))
     }
 
     /// The tets round an edge, as slots 6 · tet + local edge.

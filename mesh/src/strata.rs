@@ -33,18 +33,22 @@ impl Strata {
     pub fn new(mesh: &RawMesh, topology: &Topology, features: &Features) -> Self {
         let is_surface = surface_faces(mesh, topology, features);
         let opposite = opposite_vertices(topology, &is_surface);
+        let ends = |edge: u32| topology.edges()[edge as usize];
+        // Whatever the features say, no surface rule holds where a surface ends
+        // or branches.
+        let branches = opposite.keys().filter(|&edge| opposite.of(edge).len() != 2).map(ends);
+        let curves: Vec<[u32; 2]> = features.creases.iter().copied().chain(branches).collect();
         let mut edge_dimensions = vec![3; topology.edges().len()];
         for edge in opposite.keys() {
             edge_dimensions[edge as usize] = 2;
         }
-        for &[a, b] in &features.creases {
-            if let Some(edge) = topology.edge_between(a, b) {
-                edge_dimensions[edge as usize] = 1;
-            }
+        // A free edge has nothing but its ends to follow: the midpoint, as on a curve.
+        let on_curves = curves.iter().filter_map(|&[a, b]| topology.edge_between(a, b));
+        for edge in on_curves.chain(free_edges(mesh, topology)) {
+            edge_dimensions[edge as usize] = 1;
         }
-        let ends = |edge: u32| topology.edges()[edge as usize];
         let surface = Incidence::symmetric(opposite.keys().map(ends));
-        let curve = Incidence::symmetric(features.creases.iter().copied());
+        let curve = Incidence::symmetric(curves.into_iter());
         let in_tet = vertices_of_tets(mesh);
         let vertex_dimensions = (0..mesh.points.len() as u32)
             .into_par_iter()
@@ -109,6 +113,18 @@ pub(crate) fn opposite_vertices(topology: &Topology, is_surface: &[bool]) -> Inc
         [[ab, c], [ac, b], [bc, a]]
     });
     Incidence::new(pairs.collect())
+}
+
+/// Tagged edges that neither a tet nor a triangle uses.
+fn free_edges(mesh: &RawMesh, topology: &Topology) -> Vec<u32> {
+    let mut free: Vec<u32> =
+        mesh.edges.simplices.iter().filter_map(|&[a, b]| topology.edge_between(a, b)).collect();
+    if !free.is_empty() {
+        let mut used = vec![false; topology.edges().len()];
+        topology.face_edges().as_flattened().iter().for_each(|&edge| used[edge as usize] = true);
+        free.retain(|&edge| !used[edge as usize]);
+    }
+    free
 }
 
 fn vertices_of_tets(mesh: &RawMesh) -> Vec<bool> {

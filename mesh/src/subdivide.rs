@@ -69,7 +69,7 @@ pub enum SubdivideError {
 }
 
 /// Edge slots of tets are numbered in 32 bits.
-const MAX_TETS: usize = u32::MAX as usize / 6;
+pub const MAX_TETS: usize = u32::MAX as usize / 6;
 
 fn list(numbers: &[u32]) -> String {
     numbers.iter().map(u32::to_string).collect::<Vec<_>>().join(", ")

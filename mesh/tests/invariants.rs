@@ -105,8 +105,9 @@ proptest! {
     }
 
     #[test]
-    fn rows_sum_to_one_and_boundary_rows_read_boundary_only(mesh in meshes()) {
-        let levels = Hierarchy::new(mesh, &FeatureOptions::default());
+    fn rows_sum_to_one_and_boundary_rows_read_boundary_only(mesh in meshes(), group_curves: bool, group_borders: bool) {
+        let options = FeatureOptions { group_curves, group_borders, ..FeatureOptions::default() };
+        let levels = Hierarchy::new(mesh, &options);
         let (mesh, topology) = (&levels.meshes[0], &levels.topologies[0]);
         let on_boundary = boundary_vertices(topology);
         let mut boundary_edges = vec![false; topology.edges().len()];
@@ -168,6 +169,25 @@ proptest! {
         let one = run(1);
         prop_assert!(one == run(2) && one == run(3));
     }
+}
+
+#[test]
+fn many_chunks_are_the_same_bits_for_any_number_of_threads() {
+    let mut raw = shapes::kuhn_cube(12).into_raw();
+    for (i, x) in raw.points.as_flattened_mut().iter_mut().enumerate() {
+        *x += 0.01 * (i as f64).sin();
+    }
+    let mesh = check(raw, &CheckOptions::default()).unwrap().mesh;
+    let run = |threads: usize| {
+        let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
+        pool.install(|| {
+            let levels = subdivided(&mesh, &[Scheme::BoxSpline]).expect("little displaced");
+            let topology = Topology::new(levels.finest().raw());
+            (levels.finest().clone(), topology, levels.refinements[0].matrix.clone())
+        })
+    };
+    let one = run(1);
+    assert!(one == run(2) && one == run(3));
 }
 
 fn normal(mesh: &TetMesh, triangle: [u32; 3]) -> [f64; 3] {

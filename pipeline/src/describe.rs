@@ -2,7 +2,7 @@
 
 use std::borrow::Cow;
 
-use octruss_mesh::check::parts;
+use octruss_mesh::components::first_tets;
 use octruss_mesh::quality::{QualitySummary, summarise};
 use octruss_mesh::reference_tet::six_volumes;
 use octruss_mesh::{Finding, FindingKind, RawMesh, Tagged, Topology, findings};
@@ -170,7 +170,7 @@ pub fn describe(dataset: &Dataset) -> Description {
         regions: regions(&mesh),
         surfaces: surfaces(&mesh),
         volume: mesh.tets.iter().map(|tet| volume(&mesh, tet)).sum(),
-        components: parts(&mesh).len(),
+        components: first_tets(&mesh).len(),
         quality: summarise(&mesh).map(Quality::from),
         point_fields: dataset.point_fields.iter().map(field_report).collect(),
         cell_fields: dataset.cell_fields.iter().map(field_report).collect(),

@@ -8,7 +8,7 @@ use crate::subdivision_matrix::Row;
 pub(crate) fn vertex(near: &Neighbourhoods, vertex: u32, row: &mut Row) {
     row.add(vertex, 9.0 / 16.0);
     let neighbours = near.neighbours(vertex);
-    let each = 7.0 / (16.0 * neighbours.len() as f64);
+    let each = 7.0 / (16.0 * neighbours.clone().count() as f64);
     neighbours.for_each(|neighbour| row.add(neighbour, each));
 }
 

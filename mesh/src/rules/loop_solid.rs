@@ -8,6 +8,6 @@ use crate::subdivision_matrix::Row;
 pub(crate) fn vertex(near: &Neighbourhoods, vertex: u32, c: f64, row: &mut Row) {
     row.add(vertex, c);
     let neighbours = near.neighbours(vertex);
-    let each = (1.0 - c) / neighbours.len() as f64;
+    let each = (1.0 - c) / neighbours.clone().count() as f64;
     neighbours.for_each(|neighbour| row.add(neighbour, each));
 }

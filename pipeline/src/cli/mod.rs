@@ -3,6 +3,7 @@
 //! Exit codes: 0 good, 1 the run failed or an expectation was missed, 2 wrong
 //! usage or config.
 
+mod basis;
 mod card;
 mod comparison;
 mod convert;
@@ -10,6 +11,9 @@ mod info;
 mod progress;
 mod refine;
 mod run;
+mod sound_mesh;
+mod spectrum;
+mod vertex_place;
 
 use std::io::{self, Write};
 use std::process::ExitCode;
@@ -38,6 +42,8 @@ enum Command {
     Info(info::Info),
     Convert(convert::Convert),
     Refine(refine::Refine),
+    Spectrum(spectrum::Spectrum),
+    Basis(basis::Basis),
 }
 
 /// How many threads work.
@@ -65,6 +71,8 @@ pub fn main() -> ExitCode {
         Command::Info(options) => options.run().map(|()| ExitCode::SUCCESS),
         Command::Convert(options) => options.run().map(|()| ExitCode::SUCCESS),
         Command::Refine(options) => options.run().map(|()| ExitCode::SUCCESS),
+        Command::Spectrum(options) => options.run().map(|()| ExitCode::SUCCESS),
+        Command::Basis(options) => options.run().map(|()| ExitCode::SUCCESS),
     };
     outcome.unwrap_or_else(|error| {
         say_error(&error);

@@ -43,7 +43,7 @@ pub struct Refine {
     quiet: bool,
 }
 
-fn degrees(text: &str) -> Result<Degrees, String> {
+pub fn degrees(text: &str) -> Result<Degrees, String> {
     let number: f64 = text.parse().map_err(|_| "expected a number of degrees".to_string())?;
     Degrees::try_from(number)
 }

@@ -21,7 +21,7 @@ fn help_teaches_with_examples() {
     for text in ["run", "info", "convert", "refine", "octruss run configs/quickstart.toml"] {
         assert!(help.contains(text), "{text} in\n{help}");
     }
-    for command in ["run", "info", "convert", "refine"] {
+    for command in ["run", "info", "convert", "refine", "spectrum", "basis"] {
         let help = succeed(here, &[command, "--help"]);
         assert!(help.contains("Example") && help.contains("octruss "), "{help}");
     }

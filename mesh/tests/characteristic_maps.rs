@@ -102,3 +102,15 @@ fn places_that_do_not_exist_are_named() {
     let few = LocalMatrix::with_rings(&mesh, 0, Scheme::BoxSpline, 5).unwrap_err().to_string();
     assert_eq!(few, "5 rings were asked for; the scheme needs at least 1, and 4 are at hand");
 }
+
+#[test]
+fn the_interpolatory_map_overlaps_itself_round_edges_of_six_to_eight_tets() {
+    // All tets mark the edge. From six tets on the largest pair of eigenvalues
+    // is no longer that of one turn round the edge: for six it is .524973, the
+    // pair of three tets, which belongs to two turns. Each tet is sound, but
+    // places are covered more than once.
+    for (k, injective) in [(3, true), (4, true), (5, true), (6, false), (7, false), (8, false)] {
+        let map = MapVerdict::Sampled { regular: true, injective, tets: 512 * 6 * k as usize };
+        assert_eq!(on_edge(k, Marks::All, Scheme::INTERPOLATORY).map, map, "{k} tets");
+    }
+}

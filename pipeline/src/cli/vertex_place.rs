@@ -8,7 +8,7 @@ use octruss_mesh::analysis::stars;
 
 use super::sound_mesh::SoundMesh;
 
-/// Stars with more neighbours have matrices that take minutes.
+/// Stars with more neighbours have matrices of thousands of rows.
 const MOST_NEIGHBOURS: u32 = 200;
 
 /// Where to look at a scheme.

@@ -161,6 +161,16 @@ fn little_or_nothing_comes_back() {
 }
 
 #[test]
+fn a_field_without_tuples_may_have_any_number_of_components() {
+    // As doubles, a tuple would have 2⁶⁴ bytes, which wraps round to none.
+    let field = Field { name: "u".into(), components: 1 << 61, values: Values::Float(vec![]) };
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("empty.vtu");
+    vtu::write(&path, &Dataset { point_fields: vec![field], ..Dataset::default() }).unwrap();
+    assert!(path.exists());
+}
+
+#[test]
 fn arrays_of_many_blocks_come_back() {
     let mesh = shapes::kuhn_cube(12).into_raw();
     let mut dataset = Dataset { mesh, ..Dataset::default() };

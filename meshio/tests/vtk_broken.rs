@@ -23,6 +23,13 @@ const ASCII: &str = r#"<?xml version="1.0"?>
 </Piece></UnstructuredGrid></VTKFile>
 "#;
 
+/// 2⁶¹ components: as doubles, a tuple has 2⁶⁴ bytes, which wraps round to none.
+const NO_POINTS: &str = r#"<VTKFile type="UnstructuredGrid"><UnstructuredGrid>
+<Piece NumberOfPoints="0" NumberOfCells="0"><PointData>
+<DataArray type="Float64" Name="u" NumberOfComponents="2305843009213693952" format="ascii"></DataArray>
+</PointData></Piece></UnstructuredGrid></VTKFile>
+"#;
+
 const LEGACY: &str = "# vtk DataFile Version 3.0\none tet\nASCII\nDATASET UNSTRUCTURED_GRID\n\
 POINTS 4 double\n0 0 0 1 0 0 0 1 0 0 0 1\nCELLS 1 5\n4 0 1 2 3\nCELL_TYPES 1\n10\n\
 CELL_DATA 1\nSCALARS region int 1\nLOOKUP_TABLE default\n7\n";
@@ -149,8 +156,9 @@ fn broken_files_give_one_clear_message() {
         ("absurd points", "vtu", ascii("NumberOfPoints=\"4\"", &format!("NumberOfPoints=\"{huge}\"")), &["array `Points`", "holds 12 numbers", "1000000000000000000 points"]),
         ("absurd cells", "vtu", ascii("NumberOfCells=\"1\"", &format!("NumberOfCells=\"{huge}\"")), &["array `types`", "holds 1 numbers", "cells (NumberOfCells)"]),
         ("more cells", "vtu", ascii("NumberOfCells=\"1\"", "NumberOfCells=\"2\""), &["expected 1 for each of 2 cells"]),
-        ("absurd components", "vtu", ascii("Name=\"u\"", "Name=\"u\" NumberOfComponents=\"18446744073709551615\""), &["array `u`", "holds 4 numbers"]),
-        ("no components", "vtu", ascii("Name=\"u\"", "Name=\"u\" NumberOfComponents=\"0\""), &["array `u`", "not a positive count"]),
+        ("absurd components", "vtu", ascii("Name=\"u\"", "Name=\"u\" NumberOfComponents=\"18446744073709551615\""), &["array `u`", "NumberOfComponents is 18446744073709551615, not from 1"]),
+        ("no components", "vtu", ascii("Name=\"u\"", "Name=\"u\" NumberOfComponents=\"0\""), &["array `u`", "NumberOfComponents is 0, not from 1"]),
+        ("components without points", "vtu", NO_POINTS.into(), &["array `u`", "NumberOfComponents is 2305843009213693952, not from 1"]),
         ("missing arrays", "vtu", ascii("Name=\"offsets\"", "Name=\"onsets\""), &["<Cells>", "`connectivity`, `offsets` and `types`"]),
         ("no coordinates", "vtu", ascii("<DataArray type=\"Float32\" Name=\"Points\" NumberOfComponents=\"3\" format=\"ascii\">0 0 0 1 0 0 0 1 0 0 0 1</DataArray>", ""), &["<Points>", "coordinates are missing"]),
         ("offset too small", "vtu", ascii(">4</DataArray>", ">3</DataArray>"), &["array `offsets`", "from 0 to 3", "has 4 vertices"]),

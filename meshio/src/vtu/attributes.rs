@@ -10,6 +10,9 @@ use super::header::{ArrayKind, ArrayTag, Source};
 use super::number::{ByteOrder, NumberType};
 use crate::problem::Problem;
 
+/// VTK counts components in 32 bits with sign; more would only overflow sizes.
+const MOST_COMPONENTS: u64 = i32::MAX as u64;
+
 /// The attributes of one element, decoded.
 pub(crate) struct Attributes {
     element: String,
@@ -108,9 +111,12 @@ pub(crate) fn array<'a>(attributes: &Attributes) -> Result<ArrayTag<'a>, Problem
     };
     let components = match attributes.get("NumberOfComponents") {
         None => 1,
-        Some(_) => match usize::try_from(attributes.count("NumberOfComponents")?) {
-            Ok(count) if count > 0 => count,
-            _ => return Err(Problem::part(part, "NumberOfComponents is not a positive count")),
+        Some(_) => match attributes.count("NumberOfComponents")? {
+            count @ 1..=MOST_COMPONENTS => count as usize,
+            count => {
+                let message = format!("NumberOfComponents is {count}, not from 1 to 2147483647");
+                return Err(Problem::part(part, message));
+            }
         },
     };
     let source = match attributes.get("format") {

@@ -63,7 +63,7 @@ impl<'a> Array<'a> {
             Cow::Borrowed(values) => Cow::Borrowed(cast_slice(values)),
             Cow::Owned(values) => Cow::Owned(cast_slice(&values).to_vec()),
         };
-        let tuples = bytes.len() / (kind.width() * components);
+        let tuples = bytes.len() / kind.width() / components;
         Self { name: name.into(), kind, components, tuples, bytes }
     }
 

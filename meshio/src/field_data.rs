@@ -4,12 +4,18 @@
 //! that is neither points, tets nor fields, into arrays that belong to the file
 //! as a whole. Their names start with [`PREFIX`]; what is empty is not written,
 //! except for features, where empty differs from unknown.
+//!
+//! Other programs carry such arrays along unchanged even where they renumber
+//! vertices or leave tets out. So a fingerprint of points and tets goes with
+//! them; where it no longer fits, vertex numbers mean nothing and are dropped.
 
 use std::borrow::Cow;
 
 use bytemuck::cast_slice;
 use octruss_mesh::{CellState, Features, Group, RawMesh, Tagged};
 
+use crate::dataset::Dataset;
+use crate::fingerprint::fingerprint;
 use crate::problem::Problem;
 
 /// How our own arrays' names start.
@@ -25,8 +31,8 @@ pub(crate) struct SideArray<'a> {
 
 /// What it holds.
 pub(crate) enum SideContent<'a> {
-    /// Vertex numbers.
-    Vertices(&'a [u32]),
+    /// Vertex numbers, or other words of 32 bits.
+    Vertices(Cow<'a, [u32]>),
     /// Group ids or dimensions.
     Ids(Cow<'a, [i32]>),
     /// Small codes; or names in UTF-8, each ended by a zero byte: not VTK's own
@@ -76,9 +82,12 @@ fn split_names(bytes: &[u8]) -> Option<Vec<String>> {
     names.split(|&byte| byte == 0).map(|name| String::from_utf8(name.to_vec()).ok()).collect()
 }
 
+/// The array that tells whether vertex numbers still mean what they did.
+const FINGERPRINT: &str = "fingerprint";
+
 /// The arrays that hold all of a mesh besides points, tets and regions.
 pub(crate) fn mesh_arrays(mesh: &RawMesh) -> Result<Vec<SideArray<'_>>, String> {
-    let mut arrays = group_arrays(&mesh.groups)?;
+    let mut arrays = Vec::new();
     push_tagged(&mut arrays, ["triangles", "triangle_tags"], &mesh.triangles);
     push_tagged(&mut arrays, ["edges", "edge_tags"], &mesh.edges);
     push_tagged(&mut arrays, ["vertices", "vertex_tags"], &mesh.vertices);
@@ -87,12 +96,12 @@ pub(crate) fn mesh_arrays(mesh: &RawMesh) -> Result<Vec<SideArray<'_>>, String> 
             SideArray {
                 name: "creases",
                 components: 2,
-                content: SideContent::Vertices(cast_slice(&features.creases)),
+                content: SideContent::Vertices(cast_slice(&features.creases).into()),
             },
             SideArray {
                 name: "corners",
                 components: 1,
-                content: SideContent::Vertices(&features.corners),
+                content: SideContent::Vertices((&features.corners).into()),
             },
             SideArray {
                 name: "feature_surfaces",
@@ -106,6 +115,11 @@ pub(crate) fn mesh_arrays(mesh: &RawMesh) -> Result<Vec<SideArray<'_>>, String> 
             arrays.push(SideArray { name: "cell_states", components: 1, content });
         }
     }
+    if !arrays.is_empty() {
+        let content = SideContent::Vertices(fingerprint(mesh).to_vec().into());
+        arrays.push(SideArray { name: FINGERPRINT, components: 1, content });
+    }
+    arrays.extend(group_arrays(&mesh.groups)?);
     Ok(arrays)
 }
 
@@ -121,10 +135,7 @@ fn state_code(state: CellState) -> u8 {
     }
 }
 
-fn cell_states(codes: Vec<u8>, tets: usize) -> Result<Vec<CellState>, Problem> {
-    if codes.len() != tets {
-        return Err(wrong("cell_states", format!("{} states for {tets} tets", codes.len())));
-    }
+fn cell_states(codes: Vec<u8>) -> Result<Vec<CellState>, Problem> {
     let state = |code: u8| CELL_STATES.get(usize::from(code)).copied();
     codes
         .into_iter()
@@ -139,31 +150,98 @@ fn push_tagged<'a, const N: usize>(
     tagged: &'a Tagged<N>,
 ) {
     if !tagged.is_empty() {
-        let vertices = SideContent::Vertices(tagged.simplices.as_flattened());
+        let vertices = SideContent::Vertices(tagged.simplices.as_flattened().into());
         let ids = SideContent::Ids(Cow::Borrowed(&tagged.tags));
         arrays.push(SideArray { name: simplices, components: N, content: vertices });
         arrays.push(SideArray { name: tags, components: 1, content: ids });
     }
 }
 
-/// Restores what [`mesh_arrays`] wrote.
-pub(crate) fn restore(arrays: &impl SideArrays, mesh: &mut RawMesh) -> Result<(), Problem> {
+/// Restores what [`mesh_arrays`] wrote; of a mesh that was changed since, the
+/// group names alone, with a note.
+pub(crate) fn restore(arrays: &impl SideArrays, dataset: &mut Dataset) -> Result<(), Problem> {
+    let Dataset { mesh, notes, .. } = dataset;
     mesh.groups.extend(groups(arrays)?);
-    extend_tagged(arrays, ["triangles", "triangle_tags"], &mut mesh.triangles)?;
-    extend_tagged(arrays, ["edges", "edge_tags"], &mut mesh.edges)?;
-    extend_tagged(arrays, ["vertices", "vertex_tags"], &mut mesh.vertices)?;
-    if let Some(creases) = arrays.vertices("creases", 2)? {
-        mesh.features = Some(Features {
-            creases: tuples(&creases),
-            corners: required(arrays.vertices("corners", 1)?, "corners")?,
-            surfaces: required(arrays.ids("feature_surfaces")?, "feature_surfaces")?,
-            cell_states: match arrays.bytes("cell_states")? {
-                Some(codes) => cell_states(codes, mesh.tets.len())?,
-                None => Vec::new(),
-            },
-        });
+    let recorded = arrays.vertices(FINGERPRINT, 1)?;
+    if recorded.as_ref().is_some_and(|recorded| *recorded != fingerprint(mesh)) {
+        notes.push(CHANGED.into());
+        return Ok(());
     }
-    Ok(())
+    let marks = Marks::read(arrays)?;
+    // Files of the first days have no fingerprint.
+    if recorded.is_none() && !marks.fit(mesh) {
+        notes.push(CHANGED.into());
+        return Ok(());
+    }
+    marks.add_to(mesh)
+}
+
+/// What the reader of a changed mesh is told.
+const CHANGED: &str = "The mesh was changed by another program: its tagged triangles, edges and \
+    vertices and its features were left out, since their vertex numbers no longer hold.";
+
+/// What a file says in vertex and tet numbers.
+struct Marks {
+    triangles: Tagged<3>,
+    edges: Tagged<2>,
+    vertices: Tagged<1>,
+    features: Option<Features>,
+}
+
+impl Marks {
+    fn read(arrays: &impl SideArrays) -> Result<Self, Problem> {
+        Ok(Self {
+            triangles: tagged(arrays, ["triangles", "triangle_tags"])?,
+            edges: tagged(arrays, ["edges", "edge_tags"])?,
+            vertices: tagged(arrays, ["vertices", "vertex_tags"])?,
+            features: features(arrays)?,
+        })
+    }
+
+    /// Whether all numbers are within the mesh.
+    fn fit(&self, mesh: &RawMesh) -> bool {
+        let within = |vertices: &[u32]| vertices.iter().all(|&v| (v as usize) < mesh.points.len());
+        within(self.triangles.simplices.as_flattened())
+            && within(self.edges.simplices.as_flattened())
+            && within(self.vertices.simplices.as_flattened())
+            && self.features.as_ref().is_none_or(|features| {
+                let states = features.cell_states.len();
+                within(features.creases.as_flattened())
+                    && within(&features.corners)
+                    && (states == 0 || states == mesh.tets.len())
+            })
+    }
+
+    fn add_to(self, mesh: &mut RawMesh) -> Result<(), Problem> {
+        let states = self.features.as_ref().map_or(0, |features| features.cell_states.len());
+        if states != 0 && states != mesh.tets.len() {
+            let message = format!("{states} states for {} tets", mesh.tets.len());
+            return Err(wrong("cell_states", message));
+        }
+        extend(&mut mesh.triangles, self.triangles);
+        extend(&mut mesh.edges, self.edges);
+        extend(&mut mesh.vertices, self.vertices);
+        mesh.features = self.features;
+        Ok(())
+    }
+}
+
+/// The features, in the order that [`Features`] promises whatever the file's is.
+fn features(arrays: &impl SideArrays) -> Result<Option<Features>, Problem> {
+    let Some(creases) = arrays.vertices("creases", 2)? else { return Ok(None) };
+    let creases: Vec<[u32; 2]> = tuples(&creases);
+    Ok(Some(Features {
+        creases: sorted(creases.into_iter().map(|[a, b]| [a.min(b), a.max(b)]).collect()),
+        corners: sorted(required(arrays.vertices("corners", 1)?, "corners")?),
+        surfaces: sorted(required(arrays.ids("feature_surfaces")?, "feature_surfaces")?),
+        cell_states: cell_states(arrays.bytes("cell_states")?.unwrap_or_default())?,
+    }))
+}
+
+fn sorted<T: Ord>(mut list: Vec<T>) -> Vec<T> {
+    list.sort_unstable();
+    list.dedup();
+    list
 }
 
 fn groups(arrays: &impl SideArrays) -> Result<Vec<Group>, Problem> {
@@ -184,20 +262,22 @@ fn groups(arrays: &impl SideArrays) -> Result<Vec<Group>, Problem> {
     ids.into_iter().zip(dimensions).zip(names).map(group).collect()
 }
 
-fn extend_tagged<const N: usize>(
+fn tagged<const N: usize>(
     arrays: &impl SideArrays,
     [simplices, tags]: [&str; 2],
-    tagged: &mut Tagged<N>,
-) -> Result<(), Problem> {
-    let Some(vertices) = arrays.vertices(simplices, N)? else { return Ok(()) };
+) -> Result<Tagged<N>, Problem> {
+    let Some(vertices) = arrays.vertices(simplices, N)? else { return Ok(Tagged::default()) };
     let ids = required(arrays.ids(tags)?, tags)?;
     let simplices: Vec<[u32; N]> = tuples(&vertices);
     if ids.len() != simplices.len() {
         return Err(wrong(tags, format!("{} tags for {} simplices", ids.len(), simplices.len())));
     }
-    tagged.simplices.extend(simplices);
-    tagged.tags.extend(ids);
-    Ok(())
+    Ok(Tagged { simplices, tags: ids })
+}
+
+fn extend<const N: usize>(tagged: &mut Tagged<N>, more: Tagged<N>) {
+    tagged.simplices.extend(more.simplices);
+    tagged.tags.extend(more.tags);
 }
 
 fn tuples<const N: usize>(vertices: &[u32]) -> Vec<[u32; N]> {

@@ -23,6 +23,7 @@ pub mod pvd;
 pub mod vtu;
 
 mod field_data;
+mod fingerprint;
 mod grid;
 mod mid_side;
 mod problem;

@@ -46,7 +46,7 @@ fn parse(bytes: &[u8]) -> Result<Dataset, Problem> {
     }
     note_unread(&header, &mut grid.notes);
     let mut dataset = grid.into_dataset()?;
-    field_data::restore(&FieldData { header: &header, decoder: &decoder }, &mut dataset.mesh)?;
+    field_data::restore(&FieldData { header: &header, decoder: &decoder }, &mut dataset)?;
     Ok(dataset)
 }
 

@@ -103,7 +103,13 @@ impl<T: Real> Csr<T> {
 
     /// The same matrix with every value rounded to `U`.
     pub fn cast<U: Real>(&self) -> Csr<U> {
-        self.with_values(self.values.par_iter().map(|v| U::from_f64(v.to_f64())).collect())
+        self.cast_scaled(1.0)
+    }
+
+    /// `scale` times the matrix, every value then rounded to `U`.
+    pub(crate) fn cast_scaled<U: Real>(&self, scale: f64) -> Csr<U> {
+        let round = |v: &T| U::from_f64(scale * v.to_f64());
+        self.with_values(self.values.par_iter().map(round).collect())
     }
 
     /// The same pattern with other values.

@@ -5,10 +5,13 @@ use crate::dot::largest;
 use crate::level::Level;
 use crate::real::Real;
 
-/// All smoothed levels, finest first, and the direct solver below them.
+/// All smoothed levels of a scaled matrix, finest first, and the direct solver
+/// below them.
 pub(crate) struct VCycle<T> {
     pub(crate) levels: Vec<Level<T>>,
     pub(crate) coarsest: Coarsest,
+    /// All matrices are this times those of the problem.
+    matrix_scale: f64,
     rhs: Vec<T>,
     x: Vec<T>,
 }
@@ -21,9 +24,14 @@ pub(crate) struct Coarsest {
 }
 
 impl<T: Real> VCycle<T> {
-    pub(crate) fn new(unknowns: usize, levels: Vec<Level<T>>, coarsest: Coarsest) -> Self {
+    pub(crate) fn new(
+        unknowns: usize,
+        levels: Vec<Level<T>>,
+        coarsest: Coarsest,
+        matrix_scale: f64,
+    ) -> Self {
         let zero = vec![T::default(); unknowns];
-        Self { levels, coarsest, rhs: zero.clone(), x: zero }
+        Self { levels, coarsest, matrix_scale, rhs: zero.clone(), x: zero }
     }
 
     /// z = one cycle for A z = r, from zero. The residual is scaled to largest
@@ -39,9 +47,10 @@ impl<T: Real> VCycle<T> {
             }
         });
         v_cycle(&mut self.levels, &mut self.coarsest, &self.rhs, &mut self.x);
+        let back = scale * self.matrix_scale;
         crate::chunks::for_chunks(z, |first, chunk| {
             for (z, x) in chunk.iter_mut().zip(&self.x[first..]) {
-                *z = scale * x.to_f64();
+                *z = back * x.to_f64();
             }
         });
     }

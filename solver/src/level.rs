@@ -29,10 +29,10 @@ pub(crate) struct Level<T> {
 }
 
 impl<T: Real> Level<T> {
-    /// A level from double-precision data; `eigenvalue` is the estimate for D⁻¹A.
+    /// A level of `scale` times a matrix in double precision; `eigenvalue` is the
+    /// estimate for D⁻¹A, which no scale changes.
     pub(crate) fn new(
-        matrix: &Csr<f64>,
-        diagonal: &[f64],
+        (matrix, diagonal, scale): (&Csr<f64>, &[f64], f64),
         eigenvalue: f64,
         (prolongation, restriction): (&Csr<f64>, &Csr<f64>),
         options: &MultigridOptions,
@@ -45,8 +45,8 @@ impl<T: Real> Level<T> {
             Smoother::GaussSeidel => None,
         };
         Self {
-            matrix: matrix.cast(),
-            inverse_diagonal: diagonal.iter().map(|d| T::from_f64(1.0 / d)).collect(),
+            matrix: matrix.cast_scaled(scale),
+            inverse_diagonal: diagonal.iter().map(|d| T::from_f64(1.0 / (scale * d))).collect(),
             chebyshev,
             before: options.before,
             after: options.after,

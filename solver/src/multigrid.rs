@@ -4,6 +4,7 @@ use crate::chunks::map_ranges;
 use crate::coarse::CoarseSolver;
 use crate::csr::Csr;
 use crate::cycle::{Coarsest, VCycle};
+use crate::dot::largest;
 use crate::error::{Error, check_finite, check_size};
 use crate::galerkin::galerkin;
 use crate::level::Level;
@@ -131,17 +132,19 @@ fn build<T: Real>(
     prolongations: Vec<Csr<f64>>,
     options: &MultigridOptions,
 ) -> Result<(VCycle<T>, Vec<LevelSummary>), Error> {
+    let mut diagonal = positive_diagonal(matrix, 0)?;
+    let scale = scale_to_one(&diagonal);
     let (mut levels, mut summaries) = (Vec::new(), Vec::new());
     let mut current = Cow::Borrowed(matrix);
     for prolongation in prolongations.into_iter().take_while(|p| p.columns() > 0) {
         check_size("rows of a prolongation", prolongation.rows(), current.rows())?;
         check_finite("prolongation", prolongation.values())?;
-        let diagonal = positive_diagonal(&current, levels.len())?;
         let eigenvalue = largest_eigenvalue(&current, &diagonal);
         let restriction = transpose(&prolongation);
         let coarse = galerkin(&current, &prolongation, &restriction);
         let transfer = (&prolongation, &restriction);
-        let level = Level::<T>::new(&current, &diagonal, eigenvalue, transfer, options);
+        let scaled = (&*current, &*diagonal, scale);
+        let level = Level::<T>::new(scaled, eigenvalue, transfer, options);
         summaries.push(LevelSummary {
             unknowns: current.rows(),
             nonzeros: current.nonzeros(),
@@ -151,10 +154,10 @@ fn build<T: Real>(
         });
         levels.push(level);
         current = Cow::Owned(coarse);
+        diagonal = positive_diagonal(&current, levels.len())?;
     }
-    positive_diagonal(&current, levels.len())?;
     let (unknowns, nonzeros) = (current.rows(), current.nonzeros());
-    let solver = CoarseSolver::new(current.into_owned())?;
+    let solver = CoarseSolver::new(current.cast_scaled(scale))?;
     summaries.push(LevelSummary {
         unknowns,
         nonzeros,
@@ -162,7 +165,18 @@ fn build<T: Real>(
         prolongation_nonzeros: None,
         largest_eigenvalue: None,
     });
-    Ok((VCycle::new(matrix.rows(), levels, Coarsest::new(solver, unknowns)), summaries))
+    let coarsest = Coarsest::new(solver, unknowns);
+    Ok((VCycle::new(matrix.rows(), levels, coarsest, scale), summaries))
+}
+
+/// The power of two, so that nothing is rounded, that makes the largest entry of
+/// a diagonal about 1: in other units than these a matrix may hold nothing but
+/// infinities or zeros in single precision.
+fn scale_to_one(diagonal: &[f64]) -> f64 {
+    match largest(diagonal) {
+        0.0 => 1.0,
+        top => 2.0_f64.powi(-(top.log2().floor() as i32)),
+    }
 }
 
 fn positive_diagonal(matrix: &Csr<f64>, level: usize) -> Result<Vec<f64>, Error> {
@@ -232,6 +246,20 @@ mod tests {
             conjugate_gradients(&matrix, &rhs, &mut multigrid, &goal).unwrap().1.iterations
         });
         assert_eq!(iterations[0], iterations[1]);
+    }
+
+    #[test]
+    fn units_do_not_change_the_iterations() {
+        // Beyond the largest and below the smallest numbers of single precision.
+        let iterations = [1e-46, 1.0, 1e39].map(|coefficient| {
+            let a = second_difference(255);
+            let a = a.with_values(a.values().iter().map(|v| coefficient * v).collect());
+            let prolongations = [127, 63, 31, 15, 7, 3, 1].map(interpolation).into();
+            let mut multigrid = Multigrid::new(&a, prolongations, &Default::default()).unwrap();
+            let (rhs, goal) = (noise(255, 6), SolveOptions::default());
+            conjugate_gradients(&a, &rhs, &mut multigrid, &goal).unwrap().1.iterations
+        });
+        assert_eq!(iterations, [iterations[1]; 3]);
     }
 
     #[test]

@@ -42,8 +42,8 @@ impl System {
 /// Assembles a problem on a mesh with linear elements.
 ///
 /// # Errors
-/// [`Error::UnknownSurface`] and [`Error::UnknownRegion`] for data without a
-/// place, [`Error::Coefficient`], [`Error::BoundaryValue`] and
+/// [`Error::UnknownSurface`], [`Error::DetachedSurface`] and
+/// [`Error::UnknownRegion`] for data without a place, [`Error::Coefficient`], [`Error::BoundaryValue`] and
 /// [`Error::NotFinite`] for senseless numbers, [`Error::NothingFixed`] if a
 /// connected part of the mesh has no prescribed value, [`Error::Size`] if the
 /// topology belongs to another mesh.

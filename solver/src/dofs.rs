@@ -46,10 +46,7 @@ impl Dofs {
                 }
             }
         }
-        let mut in_tet = vec![false; mesh.points().len()];
-        for &vertex in mesh.tets().as_flattened() {
-            in_tet[vertex as usize] = true;
-        }
+        let in_tet = vertices_of_tets(mesh);
         let is_free = |v: &u32| in_tet[*v as usize] && !is_fixed[*v as usize];
         let free: Vec<u32> = (0..mesh.points().len() as u32).filter(is_free).collect();
         let mut unknowns = vec![NONE; mesh.points().len()];
@@ -134,7 +131,17 @@ impl Dofs {
     }
 }
 
-fn surface_vertices(mesh: &TetMesh, surface: i32) -> impl Iterator<Item = u32> {
+/// Whether a tet uses each vertex.
+pub(crate) fn vertices_of_tets(mesh: &TetMesh) -> Vec<bool> {
+    let mut in_tet = vec![false; mesh.points().len()];
+    for &vertex in mesh.tets().as_flattened() {
+        in_tet[vertex as usize] = true;
+    }
+    in_tet
+}
+
+/// The vertices of the triangles of a surface, as often as they are used.
+pub(crate) fn surface_vertices(mesh: &TetMesh, surface: i32) -> impl Iterator<Item = u32> {
     mesh.triangles().iter().filter(move |(_, id)| *id == surface).flat_map(|(triangle, _)| triangle)
 }
 

@@ -40,6 +40,15 @@ pub enum Error {
         /// The ids in use, ascending.
         known: Vec<i32>,
     },
+    /// A flux is given on triangles that touch no tet.
+    #[error(
+        "no triangle of surface {id} has a vertex of a tet, so a flux there enters nothing; give \
+         it on a surface of the body"
+    )]
+    DetachedSurface {
+        /// The surface.
+        id: i32,
+    },
     /// A coefficient or source names a region without tets.
     #[error("no tet belongs to region {id}; regions of this mesh: {known:?}")]
     UnknownRegion {

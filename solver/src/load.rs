@@ -3,6 +3,7 @@
 //! Constants are integrated exactly; functions by rules of degree 2 (four
 //! points a tet, three a triangle), which leaves an L² rate of 2 intact.
 
+use crate::dofs::{surface_vertices, vertices_of_tets};
 use crate::element::triangle_area;
 use crate::error::Error;
 use crate::problem::{ByRegion, Poisson, Scalar, check_surface};
@@ -23,6 +24,7 @@ pub(crate) fn load_vector(mesh: &TetMesh, problem: &Poisson) -> Result<Vec<f64>,
     };
     for (surface, flux) in &problem.flux {
         check_surface(mesh, *surface)?;
+        check_attached(mesh, *surface)?;
         for (triangle, _) in mesh.triangles().iter().filter(|(_, id)| id == surface) {
             let values = flux_load(triangle.map(|v| mesh.points()[v as usize]), flux);
             for (vertex, value) in triangle.into_iter().zip(values) {
@@ -31,6 +33,16 @@ pub(crate) fn load_vector(mesh: &TetMesh, problem: &Poisson) -> Result<Vec<f64>,
         }
     }
     Ok(load)
+}
+
+/// Checks that a surface touches the body: loads elsewhere are lost.
+fn check_attached(mesh: &TetMesh, surface: i32) -> Result<(), Error> {
+    let in_tet = vertices_of_tets(mesh);
+    if surface_vertices(mesh, surface).any(|vertex| in_tet[vertex as usize]) {
+        Ok(())
+    } else {
+        Err(Error::DetachedSurface { id: surface })
+    }
 }
 
 fn is_zero(source: &ByRegion) -> bool {

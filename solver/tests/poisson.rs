@@ -246,6 +246,18 @@ fn senseless_problems_are_refused() {
 }
 
 #[test]
+fn a_flux_beside_the_body_is_refused() {
+    let mut raw = kuhn_cube(1).into_raw();
+    raw.points.extend([[2.0, 0.0, 0.0], [3.0, 0.0, 0.0], [2.0, 1.0, 0.0]]);
+    raw.triangles.push([8, 9, 10], 70);
+    let mesh = checked(raw);
+    let flux = vec![(70, 1.0.into())];
+    let problem = Poisson { fixed: vec![(1, 0.0.into())], flux, ..Poisson::default() };
+    let refused = assemble(&mesh, &Topology::new(mesh.raw()), &problem);
+    assert!(matches!(refused, Err(Error::DetachedSurface { id: 70 })));
+}
+
+#[test]
 fn every_part_of_the_mesh_must_be_fixed() {
     // Two tets apart; only the first has a tagged face. A free-standing edge
     // between them couples nothing.

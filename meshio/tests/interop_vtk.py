@@ -3,6 +3,7 @@
     interop_vtk.py dump FILE OUT         every array of FILE, as VTK reads it
     interop_vtk.py dump-meshio FILE OUT  the same as meshio reads it
     interop_vtk.py convert FILE FOLDER   FILE as VTK and meshio write it, in every encoding
+    interop_vtk.py threshold FILE OUT    the cells of FILE in region 5, by VTK's filter
 
 A dump lists one array a line: where, name, components, then its values, whole
 numbers as such and others as the hexadecimal digits of their 64 bits.
@@ -110,10 +111,24 @@ def convert(path, folder):
     mesh.write(f"{folder}/meshio-ascii.vtu", binary=False)
 
 
+def threshold(path, target):
+    keep = vtk.vtkThreshold()
+    keep.SetInputData(read(path))
+    keep.SetInputArrayToProcess(0, 0, 0, vtk.vtkDataObject.FIELD_ASSOCIATION_CELLS, "region")
+    keep.SetLowerThreshold(5)
+    keep.SetUpperThreshold(5)
+    writer = vtk.vtkXMLUnstructuredGridWriter()
+    writer.SetInputConnection(keep.GetOutputPort())
+    writer.SetFileName(target)
+    writer.Write()
+
+
 if __name__ == "__main__":
     task, path, target = sys.argv[1:]
     if task == "convert":
         convert(path, target)
+    elif task == "threshold":
+        threshold(path, target)
     else:
         lines = dump(path) if task == "dump" else dump_meshio(path)
         with open(target, "w", encoding="utf-8", newline="\n") as out:

@@ -43,7 +43,8 @@ mod tests {
     #[test]
     fn every_change_shows() {
         let sound = shapes::kuhn_cube(2).into_raw();
-        let changes: [(&str, fn(&mut RawMesh)); 7] = [
+        type Change = (&'static str, fn(&mut RawMesh));
+        let changes: [Change; 7] = [
             ("a point moved by one unit in the last place", |mesh| {
                 mesh.points[3][1] = f64::from_bits(mesh.points[3][1].to_bits() + 1);
             }),

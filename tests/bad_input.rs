@@ -142,12 +142,12 @@ const TABLE: [Spoilt; 29] = [
     ),
     spoilt(
         ["\"x0\"", "\"bolt\""],
-        "stage `solve`: no surface is called `bolt` (valid: x0, x1, y0, y1, z0, z1)",
+        "15:22: stage `solve`: no surface is called `bolt` (valid: x0, x1, y0, y1, z0, z1)",
         1,
     ),
     spoilt(
         ["cube = 2", "cubes = 2"],
-        "stage `solve`: no region is called `cubes`; did you mean `cube`? (valid: cube)",
+        "14:30: stage `solve`: no region is called `cubes`; did you mean `cube`? (valid: cube)",
         1,
     ),
     spoilt(

@@ -27,11 +27,7 @@ pub fn write_aside(
     path: &Path,
     content: impl FnOnce(&mut BufWriter<&mut File>) -> io::Result<()>,
 ) -> Result<(), Error> {
-    let folder = match path.parent() {
-        Some(parent) if !parent.as_os_str().is_empty() => parent,
-        _ => Path::new("."),
-    };
-    let mut file = create_in(folder, path).map_err(|source| refused(folder, source))?;
+    let mut file = create_beside(path)?;
     let written = {
         let mut writer = BufWriter::new(file.as_file_mut());
         content(&mut writer).and_then(|()| writer.flush())
@@ -39,6 +35,25 @@ pub fn write_aside(
     written.map_err(|source| Error::io(path, source))?;
     file.persist(path).map_err(|failure| Error::io(path, failure.error))?;
     Ok(())
+}
+
+/// Makes sure, before long work, that a file can be written at `path`; leaves no trace.
+///
+/// # Errors
+/// As [`write_aside`] when it begins; [`Error::Io`] if there is a folder at `path`.
+pub(crate) fn check_place(path: &Path) -> Result<(), Error> {
+    if path.is_dir() {
+        return Err(Error::io(path, io::ErrorKind::IsADirectory.into()));
+    }
+    create_beside(path).map(drop)
+}
+
+fn create_beside(path: &Path) -> Result<tempfile::NamedTempFile, Error> {
+    let folder = match path.parent() {
+        Some(parent) if !parent.as_os_str().is_empty() => parent,
+        _ => Path::new("."),
+    };
+    create_in(folder, path).map_err(|source| refused(folder, source))
 }
 
 fn create_in(folder: &Path, path: &Path) -> io::Result<tempfile::NamedTempFile> {

@@ -5,7 +5,7 @@ use std::path::Path;
 use crate::dataset::Dataset;
 use crate::error::Error;
 use crate::problem::Problem;
-use crate::{gmsh, legacy, vtu};
+use crate::{aside, gmsh, legacy, vtu};
 
 /// The mesh formats.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -121,6 +121,21 @@ pub fn read(path: &Path) -> Result<Dataset, Error> {
     }
 }
 
+/// The format in which [`write()`] will write a file at `path`, once that is
+/// known to be possible: to be asked before long work.
+///
+/// # Errors
+/// [`Error::Unsupported`] as of [`write()`]; [`Error::Io`] if the folder is
+/// missing or not writable, or there is a folder at `path`.
+pub fn check_target(path: &Path) -> Result<Format, Error> {
+    let format = Format::of(path)?;
+    if !format.writes() {
+        return Err(not_written(path));
+    }
+    aside::check_place(path)?;
+    Ok(format)
+}
+
 /// Writes `dataset` to `path`, whose extension says the format.
 ///
 /// [`Format::losses`] tells what the format has no room for.
@@ -130,14 +145,13 @@ pub fn read(path: &Path) -> Result<Dataset, Error> {
 /// none, or of one that is only read.
 pub fn write(path: &Path, dataset: &Dataset) -> Result<(), Error> {
     match Format::of(path)? {
-        Format::Gmsh => Err(Error::unsupported(
-            path,
-            format!(
-                "Gmsh files are read, not written; {} can be written",
-                extensions(Format::writes)
-            ),
-        )),
+        Format::Gmsh => Err(not_written(path)),
         Format::Vtu => vtu::write(path, dataset),
         Format::LegacyVtk => legacy::write(path, dataset),
     }
+}
+
+fn not_written(path: &Path) -> Error {
+    let formats = extensions(Format::writes);
+    Error::unsupported(path, format!("Gmsh files are read, not written; {formats} can be written"))
 }

@@ -31,4 +31,4 @@ mod problem;
 pub use aside::write_aside;
 pub use dataset::{Dataset, Field, Values};
 pub use error::{Error, Place};
-pub use format::{Format, read, write};
+pub use format::{Format, check_target, read, write};

@@ -169,7 +169,7 @@ pub fn describe(dataset: &Dataset) -> Description {
         boundary_faces: (0..topology.faces().len()).filter(is_boundary).count(),
         regions: regions(&mesh),
         surfaces: surfaces(&mesh),
-        volume: mesh.tets.iter().map(|tet| volume(&mesh, tet)).sum(),
+        volume: total(mesh.tets.iter().map(|tet| volume(&mesh, tet))),
         components: first_tets(&mesh).len(),
         quality: summarise(&mesh).map(Quality::from),
         point_fields: dataset.point_fields.iter().map(field_report).collect(),
@@ -213,12 +213,8 @@ fn regions(mesh: &RawMesh) -> Vec<Region> {
     let region = |id| {
         let tets = mesh.tets.iter().zip(&mesh.regions).filter(|&(_, &region)| region == id);
         let volumes: Vec<f64> = tets.map(|(tet, _)| volume(mesh, tet)).collect();
-        Region {
-            name: mesh.group_name(3, id),
-            id,
-            count: volumes.len(),
-            volume: volumes.iter().sum(),
-        }
+        let count = volumes.len();
+        Region { name: mesh.group_name(3, id), id, count, volume: total(volumes) }
     };
     group_ids(mesh, 3).into_iter().map(region).collect()
 }
@@ -227,7 +223,8 @@ fn surfaces(mesh: &RawMesh) -> Vec<Surface> {
     let surface = |id| {
         let triangles = mesh.triangles.iter().filter(|&(_, tag)| tag == id);
         let areas: Vec<f64> = triangles.map(|(triangle, _)| area(mesh, triangle)).collect();
-        Surface { name: mesh.group_name(2, id), id, count: areas.len(), area: areas.iter().sum() }
+        let count = areas.len();
+        Surface { name: mesh.group_name(2, id), id, count, area: total(areas) }
     };
     group_ids(mesh, 2).into_iter().map(surface).collect()
 }
@@ -239,6 +236,11 @@ fn group_ids(mesh: &RawMesh, dimension: u8) -> Vec<i32> {
     ids.sort_unstable();
     ids.dedup();
     ids
+}
+
+/// The sum, 0 for nothing: `sum` of no floats is −0, which JSON would show.
+fn total(numbers: impl IntoIterator<Item = f64>) -> f64 {
+    numbers.into_iter().fold(0.0, |sum, number| sum + number)
 }
 
 fn volume(mesh: &RawMesh, tet: &[u32; 4]) -> f64 {
@@ -255,6 +257,7 @@ fn area(mesh: &RawMesh, triangle: [u32; 3]) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use octruss_mesh::Group;
     use octruss_mesh::shapes::kuhn_cube;
 
     fn describe_mesh(mesh: RawMesh) -> Description {
@@ -284,6 +287,17 @@ mod tests {
         let broken = describe_mesh(mesh);
         assert_eq!(broken.findings[0].kind, "non-finite-coordinates");
         assert!(serde_json::to_value(&broken).unwrap()["volume"].is_null());
+    }
+
+    #[test]
+    fn empty_groups_measure_zero_not_minus_zero() {
+        let groups = vec![
+            Group { dimension: 3, id: 1, name: "solid".into() },
+            Group { dimension: 2, id: 2, name: "skin".into() },
+        ];
+        let empty = describe_mesh(RawMesh { groups, ..RawMesh::default() });
+        let numbers = [empty.volume, empty.regions[0].volume, empty.surfaces[0].area];
+        assert_eq!(serde_json::to_string(&numbers).unwrap(), "[0.0,0.0,0.0]");
     }
 
     #[test]

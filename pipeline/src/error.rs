@@ -34,7 +34,7 @@ pub enum Error {
         source: SubdivideError,
     },
     /// The problem could not be solved.
-    #[error("stage `{stage}`, {what}: {source}")]
+    #[error("stage `{stage}`, {what}: {source}{}", last_residuals(source))]
     Solve {
         /// The stage's label.
         stage: String,
@@ -51,6 +51,9 @@ pub enum Error {
         /// What was asked for, and what is there.
         message: String,
     },
+    /// A name in the config that the mesh does not have.
+    #[error(transparent)]
+    Name(ConfigError),
     /// A stage stands before the one whose result it needs.
     #[error("stage `{stage}` needs a stage `{needs}` before it")]
     Order {
@@ -74,4 +77,17 @@ impl Error {
     pub fn exit_code(&self) -> u8 {
         if matches!(self, Self::Config(_)) { 2 } else { 1 }
     }
+}
+
+/// The end of the residual history, where the solver has one: whether the
+/// iteration was slow, stood still or blew up.
+fn last_residuals(error: &octruss_solver::Error) -> String {
+    use octruss_solver::Error::{NotConverged, NotPositiveDefinite, Stopped};
+    let (NotConverged(at) | Stopped(at) | NotPositiveDefinite { at, .. }) = error else {
+        return String::new();
+    };
+    let history = &at.report.residual_history;
+    let last = &history[history.len().saturating_sub(5)..];
+    let last: Vec<String> = last.iter().map(|residual| format!("{residual:.1e}")).collect();
+    format!("; the last residuals: {}", last.join(", "))
 }

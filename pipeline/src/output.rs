@@ -1,9 +1,9 @@
-//! The output folder.
+//! The output folder and what goes there.
 
 use std::io::Write;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
-use octruss_meshio::write_aside;
+use octruss_meshio::{Dataset, Format, vtu, write_aside};
 
 use crate::error::Error;
 use crate::report::Report;
@@ -25,6 +25,19 @@ pub fn check_folder(folder: &Path) -> Result<(), Error> {
     Ok(())
 }
 
+/// Removes the `report.json` of an earlier run, so that none is left to be
+/// taken for that of a run which fails.
+///
+/// # Errors
+/// If there is one that the system does not let go.
+pub fn remove_report(folder: &Path) -> Result<(), Error> {
+    let path = folder.join("report.json");
+    match std::fs::remove_file(&path) {
+        Err(error) if path.exists() => Err(Error::Output { path, reason: error.to_string() }),
+        _ => Ok(()),
+    }
+}
+
 /// Makes the output folder.
 ///
 /// # Errors
@@ -32,6 +45,22 @@ pub fn check_folder(folder: &Path) -> Result<(), Error> {
 pub fn create_folder(folder: &Path) -> Result<(), Error> {
     std::fs::create_dir_all(folder)
         .map_err(|error| Error::Output { path: folder.into(), reason: error.to_string() })
+}
+
+/// Writes a mesh file and, beside a `.vtu` of a mesh with tagged surfaces, these
+/// as `NAME.surfaces.vtu`; returns the files.
+///
+/// # Errors
+/// As [`octruss_meshio::write()`].
+pub fn write_with_surfaces(path: &Path, dataset: &Dataset) -> Result<Vec<PathBuf>, Error> {
+    octruss_meshio::write(path, dataset)?;
+    let mut files = vec![path.to_path_buf()];
+    if Format::of(path)? == Format::Vtu && !dataset.mesh.triangles.is_empty() {
+        let beside = vtu::surfaces_path(path);
+        vtu::write_surfaces(&beside, dataset)?;
+        files.push(beside);
+    }
+    Ok(files)
 }
 
 /// Writes `report.json`.

@@ -16,6 +16,8 @@ pub enum News {
         /// What is done, such as `level 2 of 3`.
         what: String,
     },
+    /// Something that the user should know even if progress is of no interest.
+    Remark(String),
     /// Something worth showing while a step runs, such as a residual.
     Note(String),
     /// A step is done.

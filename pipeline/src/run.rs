@@ -5,7 +5,7 @@ use std::time::Instant;
 
 use crate::error::Error;
 use crate::progress::{Listener, News, Progress};
-use crate::recipe::{Recipe, compare, stage_labels};
+use crate::recipe::{Recipe, Source, compare, stage_labels};
 use crate::report::{Report, StageReport};
 use crate::stages::{Context, Stage};
 use crate::state::State;
@@ -17,13 +17,15 @@ use crate::{memory, output};
 /// Missed expectations are no error: they are in [`Report::expectations`].
 ///
 /// # Errors
-/// Whatever stops a stage, and then no report is written; an output folder that
-/// cannot be written, before anything runs; an expectation of a number that the
+/// Whatever stops a stage, and then there is no report, not even that of an
+/// earlier run; an output folder that cannot be written, before anything runs; an expectation of a number that the
 /// report does not have, after the report is written.
 pub fn run(recipe: &Recipe, output_folder: &Path, listener: &Listener) -> Result<Report, Error> {
     output::check_folder(output_folder)?;
+    output::remove_report(output_folder)?;
     let start = Instant::now();
-    let (_, stages) = run_stages(&recipe.stages, &recipe.folder, output_folder, listener)?;
+    let folders = [&recipe.folder, output_folder];
+    let (_, stages) = run_stages(&recipe.stages, Some(&recipe.source), folders, listener)?;
     let mut report = Report {
         octruss: env!("CARGO_PKG_VERSION"),
         config: recipe.name.clone(),
@@ -40,21 +42,22 @@ pub fn run(recipe: &Recipe, output_folder: &Path, listener: &Listener) -> Result
     Ok(report)
 }
 
-/// Runs stages in order; returns what they made and what they did.
+/// Runs stages in order; returns what they made and what they did. `source` is
+/// the config that they come from, if any; the folders are those of input and output.
 ///
 /// # Errors
 /// Whatever stops a stage.
 pub fn run_stages(
     stages: &[Stage],
-    input_folder: &Path,
-    output_folder: &Path,
+    source: Option<&Source>,
+    [input_folder, output_folder]: [&Path; 2],
     listener: &Listener,
 ) -> Result<(State, Vec<StageReport>), Error> {
     let mut state = State::default();
     let mut reports = Vec::new();
     for (index, (stage, label)) in stages.iter().zip(stage_labels(stages)).enumerate() {
         let progress = Progress { stage: index + 1, stages: stages.len(), label: &label, listener };
-        let context = Context { input_folder, output_folder, progress };
+        let context = Context { input_folder, output_folder, source, progress };
         context.progress.tell(News::Started);
         let start = Instant::now();
         let done = stage.run(&mut state, &context)?;

@@ -2,7 +2,7 @@
 
 use std::path::PathBuf;
 
-use octruss_mesh::{FeatureOptions, Hierarchy, Scheme, SubdivideError, TetMesh};
+use octruss_mesh::{FeatureOptions, Hierarchy, Scheme, Step, SubdivideError, TetMesh};
 use octruss_meshio::{Dataset, Field, Values};
 
 /// What the stages so far have made.
@@ -43,10 +43,10 @@ impl State {
     ///
     /// # Errors
     /// As [`Hierarchy::subdivide`]; everything then stays as it was.
-    pub fn refine(&mut self, scheme: Scheme) -> Result<(), SubdivideError> {
+    pub fn refine(&mut self, step: Step) -> Result<(), SubdivideError> {
         let Some(hierarchy) = &mut self.hierarchy else { return Ok(()) };
-        hierarchy.subdivide(scheme)?;
-        self.schemes.push(scheme);
+        hierarchy.subdivide(step)?;
+        self.schemes.push(step.scheme);
         let matrix = &hierarchy.refinements[hierarchy.refinements.len() - 1].matrix;
         for field in &mut self.point_fields {
             // Means of whole numbers are not whole.

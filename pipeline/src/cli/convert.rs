@@ -2,11 +2,13 @@
 
 use std::path::PathBuf;
 
-use octruss_meshio::{Format, read, write};
+use octruss::output::write_with_surfaces;
+use octruss_meshio::{check_target, read};
 
 /// Convert a mesh file into another format, sound or not
 #[derive(clap::Args)]
-#[command(after_help = "Formats by extension: reads .msh, .vtu, .vtk; writes .vtu, .vtk.\n\n\
+#[command(after_help = "Formats by extension: reads .msh, .vtu, .vtk; writes .vtu, .vtk.\n\
+    Tagged surfaces go beside a .vtu, as NAME.surfaces.vtu.\n\n\
     Example:\n  octruss convert part.msh part.vtu")]
 pub struct Convert {
     /// Mesh to read
@@ -20,12 +22,12 @@ pub struct Convert {
 impl Convert {
     pub fn run(&self) -> anyhow::Result<()> {
         // Asked first: reading may take long.
-        let format = Format::of(&self.output)?;
+        let format = check_target(&self.output)?;
         let dataset = read(&self.input)?;
         for note in dataset.notes.iter().chain(&format.losses(&dataset)) {
             super::say(&format!("note: {note}"));
         }
-        write(&self.output, &dataset)?;
+        write_with_surfaces(&self.output, &dataset)?;
         Ok(())
     }
 }

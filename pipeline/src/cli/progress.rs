@@ -1,5 +1,5 @@
 //! How a run shows its progress on stderr: bars on a terminal, plain lines
-//! elsewhere, nothing when quiet.
+//! elsewhere, only remarks when quiet.
 
 use std::io::IsTerminal;
 use std::sync::Mutex;
@@ -14,12 +14,12 @@ pub enum Display {
     Bar(Mutex<ProgressBar>),
     /// A line for each thing done.
     Lines,
-    /// Nothing.
+    /// Remarks alone.
     Quiet,
 }
 
 impl Display {
-    /// Bars if stderr is a terminal, else lines; nothing if `quiet`.
+    /// Bars if stderr is a terminal, else lines; only remarks if `quiet`.
     pub fn new(quiet: bool) -> Self {
         if quiet {
             Self::Quiet
@@ -45,7 +45,11 @@ impl Display {
                     super::say(&format!("{head}: {text}"));
                 }
             }
-            Self::Quiet => {}
+            Self::Quiet => {
+                if let News::Remark(text) = &news {
+                    super::say(&remark(text));
+                }
+            }
         }
     }
 }
@@ -54,9 +58,14 @@ impl Display {
 fn line(news: &News) -> Option<String> {
     match news {
         News::Started | News::Step { .. } | News::Note(_) => None,
+        News::Remark(text) => Some(remark(text)),
         News::Done { what, result, seconds } => Some(format!("{what} … {result}, {seconds:.1} s")),
         News::Finished { summary, seconds } => Some(format!("{summary} ({seconds:.1} s)")),
     }
+}
+
+fn remark(text: &str) -> String {
+    format!("note: {text}")
 }
 
 fn show_on_bar(bar: &mut ProgressBar, head: &str, news: News) {
@@ -67,6 +76,7 @@ fn show_on_bar(bar: &mut ProgressBar, head: &str, news: News) {
             bar.set_position(number as u64 - 1);
             bar.set_message(what);
         }
+        News::Remark(text) => bar.suspend(|| super::say(&format!("{head}: {}", remark(&text)))),
         News::Note(text) => bar.set_message(text),
         News::Done { .. } => bar.inc(1),
         News::Finished { .. } => {

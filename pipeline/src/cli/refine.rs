@@ -3,10 +3,12 @@
 use std::path::{Path, PathBuf};
 
 use octruss::Error;
-use octruss::recipe::{Degrees, SchemeName};
+use octruss::output::write_with_surfaces;
+use octruss::recipe::{Degrees, Fraction, Named, SchemeName};
 use octruss::run::run_stages;
 use octruss::stages::{Check, Import, Stage, Subdivide};
-use octruss_meshio::{Dataset, Format, write};
+use octruss_mesh::{Diagonal, Marking};
+use octruss_meshio::{Dataset, check_target};
 
 use super::Threads;
 use super::progress::Display;
@@ -16,7 +18,8 @@ use super::progress::Display;
 #[command(after_help = "Example:\n  \
     octruss refine part.msh part.vtu --scheme box-spline --levels 2 --crease-angle 30\n\n\
     What stays sharp is found once, on the mesh given, and recorded in a .vtu: refining\n\
-    that again by one level equals refining by two at once.")]
+    that again by one level equals refining by two at once. Tagged surfaces go beside\n\
+    a .vtu, as NAME.surfaces.vtu.")]
 pub struct Refine {
     /// Mesh to read
     #[arg(value_name = "IN")]
@@ -24,8 +27,9 @@ pub struct Refine {
     /// File to write: .vtu keeps everything, .vtk has no room for names and features
     #[arg(value_name = "OUT")]
     output: PathBuf,
-    /// The weights: linear keeps the shape, box-spline smooths it; others as in configs
-    #[arg(long, value_name = "linear|box-spline")]
+    /// The weights: linear keeps the shape, interpolatory and interpolatory-literal the
+    /// vertices; box-spline, averaged and loop-solid smooth
+    #[arg(long)]
     scheme: SchemeName,
     /// How many times
     #[arg(long, value_name = "N")]
@@ -33,12 +37,22 @@ pub struct Refine {
     /// Edges stay sharp where outward normals differ by more; 180 for none [default: 40]
     #[arg(long, value_name = "DEG", value_parser = degrees)]
     crease_angle: Option<Degrees>,
+    /// How marked pairs are chosen: shortest, agree, breadth-first or as-ordered
+    /// [default: shortest]
+    #[arg(long)]
+    marking: Option<Named<Marking>>,
+    /// Which diagonal splits a tet: inherit or shortest-each-level [default: inherit]
+    #[arg(long)]
+    diagonal: Option<Named<Diagonal>>,
+    /// Keep the mean ratio of tets above this, where the input's is
+    #[arg(long, value_name = "ETA", value_parser = fraction)]
+    min_quality: Option<Fraction>,
     /// Turn inverted tets over instead of refusing them
     #[arg(long)]
     reorient: bool,
     #[command(flatten)]
     threads: Threads,
-    /// No progress on stderr
+    /// No progress on stderr; notes and errors stay
     #[arg(long)]
     quiet: bool,
 }
@@ -48,14 +62,19 @@ pub fn degrees(text: &str) -> Result<Degrees, String> {
     Degrees::try_from(number)
 }
 
+fn fraction(text: &str) -> Result<Fraction, String> {
+    let number: f64 = text.parse().map_err(|_| "expected a number".to_string())?;
+    Fraction::try_from(number)
+}
+
 impl Refine {
     pub fn run(&self) -> anyhow::Result<()> {
-        let format = Format::of(&self.output)?;
+        let format = check_target(&self.output)?;
         let refined = self.threads.install(|| self.refined())??;
         for loss in format.losses(&refined) {
             super::say(&format!("note: {loss}"));
         }
-        write(&self.output, &refined)?;
+        write_with_surfaces(&self.output, &refined)?;
         Ok(())
     }
 
@@ -67,13 +86,16 @@ impl Refine {
             Stage::Subdivide(Subdivide {
                 scheme: self.scheme,
                 levels: self.levels,
-                crease_angle: self.crease_angle.unwrap_or(defaults.crease_angle),
+                crease_angle: self.crease_angle,
+                marking: self.marking,
+                diagonal: self.diagonal.unwrap_or(defaults.diagonal),
+                min_quality: self.min_quality,
                 ..defaults
             }),
         ];
         let here = Path::new("");
         let display = Display::new(self.quiet);
-        let (state, _) = run_stages(&stages, here, here, &|stage, stages, label, news| {
+        let (state, _) = run_stages(&stages, None, [here, here], &|stage, stages, label, news| {
             display.show(stage, stages, label, news);
         })?;
         Ok(state.into_dataset())

@@ -30,7 +30,7 @@ pub struct Run {
     set: Vec<String>,
     #[command(flatten)]
     threads: Threads,
-    /// No progress on stderr
+    /// No progress on stderr; notes and errors stay
     #[arg(long)]
     quiet: bool,
 }

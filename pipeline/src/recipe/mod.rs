@@ -7,6 +7,7 @@
 //! Every value keeps its place in the text up to the end, so that each error
 //! points at a file, a line and a key.
 
+mod choice;
 mod error;
 mod expect;
 mod explain;
@@ -14,17 +15,17 @@ mod labels;
 mod nearest;
 mod override_;
 mod parse;
-mod scheme;
 mod source;
 mod value;
 
 use std::path::{Path, PathBuf};
 
+pub use choice::{Choice, Named, SchemeName};
 pub use error::{ConfigError, Place};
 pub use expect::{Bounds, Expectation, Outcome, compare};
 pub use nearest::suggestion;
-pub use scheme::SchemeName;
-pub use value::{Degrees, PerRegion, Positive, Value};
+pub use source::Source;
+pub use value::{Degrees, Fraction, PerRegion, Positive, Value};
 
 use crate::stages::Stage;
 
@@ -35,6 +36,8 @@ pub struct Recipe {
     pub name: String,
     /// The folder that input paths are relative to.
     pub folder: PathBuf,
+    /// The text that the recipe was read from, for places in messages.
+    pub source: Source,
     /// What to do, in order.
     pub stages: Vec<Stage>,
     /// What the report must say, by name.

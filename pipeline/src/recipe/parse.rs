@@ -44,12 +44,9 @@ pub fn parse(path: &Path, text: String, overrides: &[String]) -> Result<Recipe, 
         name: name.into_inner(),
         bounds,
     });
-    Ok(Recipe {
-        name: header.name.into_inner(),
-        folder: path.parent().unwrap_or(Path::new("")).into(),
-        stages,
-        expectations: expectations.collect(),
-    })
+    let expectations = expectations.collect();
+    let (name, folder) = (header.name.into_inner(), path.parent().unwrap_or(Path::new("")).into());
+    Ok(Recipe { name, folder, stages, expectations, source })
 }
 
 fn read_header(root: &Tree, source: &Source) -> Result<Header, ConfigError> {
@@ -72,6 +69,10 @@ fn read_stages(root: &Tree, source: &Source) -> Result<Vec<Stage>, ConfigError> 
             && !stages.iter().any(|before| before.kind() == needed)
         {
             let message = format!("stage `{label}` needs a stage `{needed}` before it");
+            return Err(source.error(&tree.span(), message));
+        }
+        if let Some(contradiction) = stage.contradiction() {
+            let message = format!("stage `{label}`: {contradiction}");
             return Err(source.error(&tree.span(), message));
         }
         stages.push(stage);

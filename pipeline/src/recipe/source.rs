@@ -7,7 +7,7 @@ use super::error::{ConfigError, Place};
 
 /// A config file and the overrides of the command line as one numbered text,
 /// so that any byte range says where it came from.
-#[derive(Debug)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct Source {
     path: PathBuf,
     text: String,
@@ -15,7 +15,7 @@ pub struct Source {
 }
 
 /// One `key=value` of the command line.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct Override {
     /// As it was typed.
     pub typed: String,

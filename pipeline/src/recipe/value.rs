@@ -1,9 +1,9 @@
 //! Numbers that a config may give: checked when read.
 
-use std::collections::BTreeMap;
 use std::fmt;
 
 use serde::de::{Deserialize, Deserializer, Error, MapAccess, Visitor};
+use toml::Spanned;
 
 /// A number; later also an expression, which today is refused by name.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -11,11 +11,11 @@ pub struct Value(pub f64);
 
 /// One number for all regions, or one for each that is named.
 #[derive(Debug, Clone, PartialEq)]
-pub struct PerRegion {
-    /// For regions that are not named; `None` if the config gives none.
-    pub default: Option<Value>,
-    /// By region name.
-    pub named: BTreeMap<String, Value>,
+pub enum PerRegion {
+    /// The same everywhere.
+    Uniform(Value),
+    /// By region name; [`PerRegion::DEFAULT`] is for those that are not named.
+    Named(Vec<(Spanned<String>, Value)>),
 }
 
 /// A finite number above zero.
@@ -27,6 +27,11 @@ pub struct Positive(pub f64);
 #[derive(Debug, Clone, Copy, PartialEq, serde::Deserialize)]
 #[serde(try_from = "f64")]
 pub struct Degrees(pub f64);
+
+/// A number from 0 to 1.
+#[derive(Debug, Clone, Copy, PartialEq, serde::Deserialize)]
+#[serde(try_from = "f64")]
+pub struct Fraction(pub f64);
 
 impl TryFrom<f64> for Positive {
     type Error = String;
@@ -48,11 +53,20 @@ impl TryFrom<f64> for Degrees {
     }
 }
 
-impl PerRegion {
-    /// The same number everywhere.
-    pub fn uniform(number: f64) -> Self {
-        Self { default: Some(Value(number)), named: BTreeMap::new() }
+impl TryFrom<f64> for Fraction {
+    type Error = String;
+
+    fn try_from(number: f64) -> Result<Self, String> {
+        (0.0..=1.0)
+            .contains(&number)
+            .then_some(Self(number))
+            .ok_or(format!("expected a number from 0 to 1, found {number}"))
     }
+}
+
+impl PerRegion {
+    /// The name that stands for all regions that are not named.
+    pub const DEFAULT: &'static str = "default";
 }
 
 impl<'de> Deserialize<'de> for Value {
@@ -104,26 +118,22 @@ impl<'de> Visitor<'de> for PerRegionVisitor {
     }
 
     fn visit_f64<E: Error>(self, number: f64) -> Result<PerRegion, E> {
-        ValueVisitor.visit_f64(number).map(|Value(number)| PerRegion::uniform(number))
+        ValueVisitor.visit_f64(number).map(PerRegion::Uniform)
     }
 
     fn visit_i64<E: Error>(self, number: i64) -> Result<PerRegion, E> {
-        Ok(PerRegion::uniform(number as f64))
+        ValueVisitor.visit_i64(number).map(PerRegion::Uniform)
     }
 
     fn visit_str<E: Error>(self, text: &str) -> Result<PerRegion, E> {
-        ValueVisitor.visit_str(text).map(|Value(number)| PerRegion::uniform(number))
+        ValueVisitor.visit_str(text).map(PerRegion::Uniform)
     }
 
     fn visit_map<A: MapAccess<'de>>(self, mut map: A) -> Result<PerRegion, A::Error> {
-        let mut regions = PerRegion { default: None, named: BTreeMap::new() };
-        while let Some((name, value)) = map.next_entry::<String, Value>()? {
-            if name == "default" {
-                regions.default = Some(value);
-            } else {
-                regions.named.insert(name, value);
-            }
+        let mut named = Vec::new();
+        while let Some(entry) = map.next_entry()? {
+            named.push(entry);
         }
-        Ok(regions)
+        Ok(PerRegion::Named(named))
     }
 }

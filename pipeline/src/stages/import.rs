@@ -34,6 +34,7 @@ impl Import {
     pub(super) fn run(&self, state: &mut State, context: &Context) -> Result<ImportReport, Error> {
         let path = context.input_folder.join(&self.path);
         let dataset = octruss_meshio::read(&path)?;
+        context.remark(&dataset.notes);
         let report = ImportReport {
             path: path.clone(),
             vertices: dataset.mesh.points.len(),
@@ -47,8 +48,7 @@ impl Import {
 
 impl ImportReport {
     pub(super) fn summary(&self) -> String {
-        let notes: String = self.notes.iter().map(|note| format!("\n  note: {note}")).collect();
         let (vertices, tets) = (short(self.vertices), short(self.tets));
-        format!("{}: {vertices} vertices, {tets} tets{notes}", self.path.display())
+        format!("{}: {vertices} vertices, {tets} tets", self.path.display())
     }
 }

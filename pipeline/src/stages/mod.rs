@@ -8,21 +8,25 @@ mod multigrid;
 mod poisson;
 mod solve;
 mod subdivide;
+mod subdivide_report;
 mod write;
 
 use std::path::Path;
 
 use serde::{Deserialize, Serialize};
+use toml::Spanned;
 
 pub use check::{Check, CheckReport};
 pub use import::{Import, ImportReport};
 pub use multigrid::SolveFigures;
 pub use solve::{OnSurface, Problem, Solve, SolveReport};
-pub use subdivide::{LevelReport, Subdivide, SubdivideReport};
+pub use subdivide::Subdivide;
+pub use subdivide_report::{GuardFigures, LevelReport, MarkingFigures, Strata, SubdivideReport};
 pub use write::{Write, WriteReport};
 
 use crate::error::Error;
-use crate::progress::Progress;
+use crate::progress::{News, Progress};
+use crate::recipe::Source;
 use crate::state::State;
 
 /// One step with its options.
@@ -63,14 +67,30 @@ pub struct Context<'a> {
     pub input_folder: &'a Path,
     /// Where output goes.
     pub output_folder: &'a Path,
+    /// The config, for places in messages; none if the stages come from elsewhere.
+    pub source: Option<&'a Source>,
     /// Whom to tell how far it is.
     pub progress: Progress<'a>,
 }
 
 impl Context<'_> {
+    /// Tells what the user should know, quiet or not.
+    fn remark(&self, notes: &[String]) {
+        notes.iter().for_each(|note| self.progress.tell(News::Remark(note.clone())));
+    }
+
     /// An error about something this stage asks for.
     fn request(&self, message: String) -> Error {
         Error::Request { stage: self.progress.label.into(), message }
+    }
+
+    /// An error about a name that the config gives and the mesh does not have.
+    fn name_error(&self, name: &Spanned<String>, message: &str) -> Error {
+        let message = format!("stage `{}`: {message}", self.progress.label);
+        match self.source {
+            Some(source) => Error::Name(source.error(&name.span(), message)),
+            None => self.request(message),
+        }
     }
 
     /// An error of the solver, with what it was doing.
@@ -105,6 +125,14 @@ impl Stage {
             Self::Import(_) => None,
             Self::Check(_) => Some("import"),
             Self::Subdivide(_) | Self::Solve(_) | Self::Write(_) => Some("check"),
+        }
+    }
+
+    /// What in the options does not go together, if anything.
+    pub fn contradiction(&self) -> Option<String> {
+        match self {
+            Self::Subdivide(options) => options.contradiction(),
+            _ => None,
         }
     }
 

@@ -4,7 +4,7 @@ use std::borrow::Cow;
 use std::ops::ControlFlow;
 use std::time::Instant;
 
-use octruss_mesh::{Hierarchy, Scheme, SubdivisionMatrix, linear_matrix};
+use octruss_mesh::{Hierarchy, Scheme, SubdivisionMatrix, TetMesh, linear_matrix};
 use octruss_solver::{
     Csr, Dofs, Error, Multigrid, MultigridOptions, Poisson, Smoother, SolveOptions, System,
     conjugate_gradients, restrict_to_free,
@@ -48,9 +48,9 @@ pub struct SolveFigures {
     /// Work for a decimal digit of the residual, in products with the finest
     /// matrix: a cycle and the product of the iteration itself.
     pub work_per_digit: f64,
-    /// The least value at a vertex.
+    /// The least value at a vertex of a tet.
     pub minimum: f64,
-    /// The greatest value at a vertex.
+    /// The greatest value at a vertex of a tet.
     pub maximum: f64,
     /// Prolongations, coarse matrices, factors.
     pub setup_seconds: f64,
@@ -65,7 +65,8 @@ impl SolveFigures {
     }
 }
 
-/// Solves an assembled problem; a value for each vertex of the finest mesh.
+/// Solves an assembled problem; a value for each vertex of the finest mesh, NaN
+/// where no tet is, on free-standing triangles and edges.
 ///
 /// # Errors
 /// Whatever the solver reports.
@@ -93,7 +94,8 @@ pub fn solve_with(
         progress: Some(&tell),
     };
     let (x, report) = conjugate_gradients(&system.matrix, &system.rhs, &mut multigrid, &stop)?;
-    let solution = system.expand(&x)?;
+    let mut solution = system.expand(&x)?;
+    blank_outside(&mut solution, hierarchy.finest());
     let digits = -report.relative_residual.log10();
     let cycles = report.iterations as f64;
     let defect = |(transfer, matrix): (usize, &Cow<SubdivisionMatrix>)| {
@@ -114,12 +116,22 @@ pub fn solve_with(
         residual_history: report.residual_history,
         mean_reduction: report.relative_residual.powf(1.0 / cycles),
         work_per_digit: cycles * (multigrid.work_units() + 1.0) / digits,
+        // These pass over NaN.
         minimum: solution.iter().copied().fold(f64::INFINITY, f64::min),
         maximum: solution.iter().copied().fold(f64::NEG_INFINITY, f64::max),
         setup_seconds,
         solve_seconds: report.solve_seconds,
     };
     Ok((solution, figures))
+}
+
+/// Puts NaN, which viewers leave blank, where no tet is and nothing was solved.
+fn blank_outside(solution: &mut [f64], mesh: &TetMesh) {
+    let mut inside = vec![false; solution.len()];
+    mesh.tets().as_flattened().iter().for_each(|&v| inside[v as usize] = true);
+    for (value, _) in solution.iter_mut().zip(inside).filter(|(_, inside)| !inside) {
+        *value = f64::NAN;
+    }
 }
 
 /// The matrices of all transfers, coarsest first. Linear ones are made here; those

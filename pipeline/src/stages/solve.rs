@@ -7,18 +7,20 @@ use octruss_mesh::{FeatureOptions, Hierarchy, Scheme};
 use octruss_meshio::Field;
 use octruss_solver::{Poisson, System, assemble};
 use serde::{Deserialize, Serialize};
+use toml::Spanned;
 
 use super::Context;
 use super::multigrid::{SolveFigures, solve_with};
 use super::poisson::poisson;
 use crate::amount::short;
 use crate::error::Error;
-use crate::recipe::{PerRegion, Positive, SchemeName, Value};
+use crate::recipe::{Named, PerRegion, Positive, SchemeName, Value};
 use crate::state::State;
 
 /// Solves a problem on the finest mesh by conjugate gradients with a multigrid
 /// V-cycle over all levels, in turn with each prolongation. The first solution
-/// becomes the field `solution` (of a second such stage `solution-2`).
+/// becomes the field `solution` (of a second such stage `solution-2`), with NaN
+/// at vertices of free-standing triangles and edges, which no tet uses.
 #[derive(Debug, Clone, PartialEq, Deserialize)]
 #[serde(deny_unknown_fields, rename_all = "kebab-case", default)]
 pub struct Solve {
@@ -57,7 +59,7 @@ pub enum Problem {
 #[serde(deny_unknown_fields, rename_all = "kebab-case")]
 pub struct OnSurface {
     /// The surface group.
-    pub surface: String,
+    pub surface: Spanned<String>,
     /// The number there.
     pub value: Value,
 }
@@ -78,11 +80,11 @@ impl Default for Solve {
         let options = octruss_solver::SolveOptions::default();
         Self {
             problem: Problem::Poisson,
-            coefficient: PerRegion::uniform(1.0),
-            source: PerRegion::uniform(0.0),
+            coefficient: PerRegion::Uniform(Value(1.0)),
+            source: PerRegion::Uniform(Value(0.0)),
             fixed: Vec::new(),
             flux: Vec::new(),
-            prolongation: vec![SchemeName(Scheme::BoxSpline), SchemeName(Scheme::Linear)],
+            prolongation: vec![Named(Scheme::BoxSpline), Named(Scheme::Linear)],
             tolerance: Positive(options.tolerance),
             max_iterations: options.max_iterations,
             smoothing_degree: NonZeroU8::MIN.saturating_add(2),
@@ -96,8 +98,7 @@ impl Solve {
         state.levels(&FeatureOptions::default());
         let hierarchy = state.hierarchy.as_ref().ok_or_else(|| context.order("check"))?;
         self.check_prolongations(&state.schemes, context)?;
-        let problem =
-            poisson(self, hierarchy.finest().raw()).map_err(|message| context.request(message))?;
+        let problem = poisson(self, hierarchy.finest().raw(), context)?;
         let steps = self.prolongation.len() + 1;
         let start = Instant::now();
         let system = context.progress.step(1, steps, "assembly", || {
@@ -109,7 +110,7 @@ impl Solve {
         let assembly_seconds = start.elapsed().as_secs_f64();
         let mut solves = Vec::new();
         let mut first_solution = None;
-        for (index, &SchemeName(scheme)) in self.prolongation.iter().enumerate() {
+        for (index, &Named(scheme)) in self.prolongation.iter().enumerate() {
             let what = format!("{} prolongation", scheme.name());
             let (solution, figures) = context.progress.step(index + 2, steps, &what, || {
                 let solved = solve_with(self, scheme, hierarchy, (&problem, &system), context)
@@ -136,7 +137,7 @@ impl Solve {
             let message = "`prolongation` must name at least one scheme, and none twice";
             return Err(context.request(message.into()));
         }
-        for &SchemeName(prolongation) in list.iter().filter(|name| name.0 != Scheme::Linear) {
+        for &Named(prolongation) in list.iter().filter(|name| name.0 != Scheme::Linear) {
             let other = schemes.iter().position(|&scheme| scheme != prolongation);
             if let Some(refinement) = other {
                 let (level, name) = (refinement + 1, prolongation.name());

@@ -1,18 +1,27 @@
 //! Refining the mesh, level by level.
 
-use octruss_mesh::quality::{QualitySummary, summarise};
-use octruss_mesh::{FeatureOptions, Scheme, TetMesh};
-use serde::{Deserialize, Serialize};
+use octruss_mesh::{
+    Diagonal, ExtraFeatures, FeatureOptions, Marking, Scheme, Step, TetMesh, Topology,
+    marking_report,
+};
+use serde::Deserialize;
+use toml::Spanned;
 
 use super::Context;
 use super::groups::group_ids;
+use super::subdivide_report::{LevelReport, SubdivideReport};
 use crate::amount::short;
 use crate::error::Error;
-use crate::recipe::{Degrees, SchemeName};
+use crate::recipe::{Degrees, Fraction, Named, SchemeName};
 use crate::state::State;
 
-/// Refines every tet into eight, some times over. What stays sharp is found
-/// once, on the coarsest mesh: a second such stage inherits it from the first.
+/// More tets than this cannot be numbered: [`octruss_mesh::subdivide()`] refuses them.
+const MAX_TETS: usize = u32::MAX as usize / 6;
+
+/// Refines every tet into eight, some times over. The marking and what stays
+/// sharp are found once, on the coarsest mesh: a second such stage, or a mesh
+/// that was written by an earlier run, has them already, and the options about
+/// them (from `marking` to `extra_corners`) then have no effect.
 #[derive(Debug, Clone, PartialEq, Deserialize)]
 #[serde(deny_unknown_fields, rename_all = "kebab-case", default)]
 pub struct Subdivide {
@@ -20,55 +29,50 @@ pub struct Subdivide {
     pub scheme: SchemeName,
     /// How many times.
     pub levels: u8,
-    /// Edges stay sharp where outward normals differ by more, in degrees; 180 for none.
-    pub crease_angle: Degrees,
-    /// Curve groups stay sharp.
-    pub group_curves: bool,
-    /// Point groups stay where they are.
-    pub group_points: bool,
-    /// Borders between surface groups stay sharp.
-    pub group_borders: bool,
+    /// The tension of the interpolatory schemes, 1/16 unless given.
+    pub tension: Option<Fraction>,
+    /// The weight of an interior vertex itself in `loop-solid`, 0.8 unless given.
+    pub interior: Option<Fraction>,
+    /// Which inner diagonal splits a tet.
+    pub diagonal: Named<Diagonal>,
+    /// Keep the mean ratio η above this by pulling vertices back to the linear rule.
+    pub min_quality: Option<Fraction>,
+    /// How the marked pair of each coarse tet is chosen; `shortest` unless given.
+    pub marking: Option<Named<Marking>>,
+    /// Edges stay sharp where outward normals differ by more, in degrees; 180
+    /// for none, 40 unless given.
+    pub crease_angle: Option<Degrees>,
+    /// Curve groups stay sharp; true unless given.
+    pub group_curves: Option<bool>,
+    /// Point groups stay where they are; true unless given.
+    pub group_points: Option<bool>,
+    /// Borders between surface groups stay sharp; true unless given.
+    pub group_borders: Option<bool>,
     /// Surface groups inside a region that are refined as surfaces, by name.
-    pub surfaces: Vec<String>,
-}
-
-/// All levels, the coarsest first.
-#[derive(Debug, Clone, PartialEq, Serialize)]
-pub struct SubdivideReport {
-    /// The scheme's name.
-    pub scheme: &'static str,
-    /// Vertices of the finest level.
-    pub vertices: usize,
-    /// Tets of the finest level.
-    pub tets: usize,
-    /// One a level.
-    pub levels: Vec<LevelReport>,
-}
-
-/// One level.
-#[derive(Debug, Clone, PartialEq, Serialize)]
-pub struct LevelReport {
-    /// Vertices.
-    pub vertices: usize,
-    /// Tets.
-    pub tets: usize,
-    /// The worst mean ratio η of a tet: 1 regular, 0 flat.
-    pub eta_min: f64,
-    /// The mean of η.
-    pub eta_mean: f64,
+    pub surfaces: Option<Vec<Spanned<String>>>,
+    /// Edges that stay sharp, by their ends: vertices of the checked mesh, from 0.
+    pub extra_creases: Option<Vec<[u32; 2]>>,
+    /// Vertices of the checked mesh that stay where they are, from 0.
+    pub extra_corners: Option<Vec<u32>>,
 }
 
 impl Default for Subdivide {
     fn default() -> Self {
-        let features = FeatureOptions::default();
         Self {
-            scheme: SchemeName(Scheme::BoxSpline),
+            scheme: Named(Scheme::BoxSpline),
             levels: 1,
-            crease_angle: Degrees(features.crease_angle),
-            group_curves: features.group_curves,
-            group_points: features.group_points,
-            group_borders: features.group_borders,
-            surfaces: Vec::new(),
+            tension: None,
+            interior: None,
+            diagonal: Named(Diagonal::default()),
+            min_quality: None,
+            marking: None,
+            crease_angle: None,
+            group_curves: None,
+            group_points: None,
+            group_borders: None,
+            surfaces: None,
+            extra_creases: None,
+            extra_corners: None,
         }
     }
 }
@@ -80,19 +84,23 @@ impl Subdivide {
         context: &Context,
     ) -> Result<SubdivideReport, Error> {
         let mesh = state.finest().ok_or_else(|| context.order("check"))?;
+        self.refuse_too_many(mesh.tets().len(), context)?;
+        let notes = self.without_effect(mesh);
+        context.remark(&notes);
         let features = self.feature_options(mesh, context)?;
-        state.levels(&features);
-        let mut levels = vec![level_report(state, context)?];
+        // A mesh with features is marked already.
+        let unmarked = mesh.features().is_none();
+        let unmarked = unmarked.then(|| marking_report(&Topology::new(mesh.raw())));
+        let hierarchy = state.levels(&features).ok_or_else(|| context.order("check"))?;
+        let mut report = SubdivideReport::new(self.scheme(), hierarchy, unmarked, notes);
         for number in 1..=usize::from(self.levels) {
             let what = format!("level {number} of {}", self.levels);
             let level = context
                 .progress
                 .step(number, self.levels.into(), &what, || self.add_level(state, context))?;
-            levels.push(level);
+            report.add(level);
         }
-        let finest = &levels[levels.len() - 1];
-        let (vertices, tets) = (finest.vertices, finest.tets);
-        Ok(SubdivideReport { scheme: self.scheme.0.name(), vertices, tets, levels })
+        Ok(report)
     }
 
     fn add_level(
@@ -101,45 +109,102 @@ impl Subdivide {
         context: &Context,
     ) -> Result<(LevelReport, String), Error> {
         state
-            .refine(self.scheme.0)
+            .refine(self.step())
             .map_err(|source| Error::Subdivide { stage: context.progress.label.into(), source })?;
-        let report = level_report(state, context)?;
+        let hierarchy = state.hierarchy.as_ref().ok_or_else(|| context.order("check"))?;
+        let report = LevelReport::of_finest(hierarchy);
         let tets = format!("{} tets", short(report.tets));
         Ok((report, tets))
     }
 
+    /// Parameters of a scheme other than the one chosen.
+    pub(super) fn contradiction(&self) -> Option<String> {
+        let scheme = self.scheme.0;
+        let wrong = |key: &str, owner: &str| {
+            Some(format!("`{key}` belongs to {owner}, but `scheme` is `{}`", scheme.name()))
+        };
+        match (scheme, self.tension, self.interior) {
+            (Scheme::Interpolatory { .. }, _, None) | (Scheme::LoopSolid { .. }, None, _) => None,
+            (_, None, None) => None,
+            (Scheme::Interpolatory { .. }, ..) | (_, None, Some(_)) => {
+                wrong("interior", "`loop-solid`")
+            }
+            _ => wrong("tension", "`interpolatory` and `interpolatory-literal`"),
+        }
+    }
+
+    fn scheme(&self) -> Scheme {
+        match self.scheme.0 {
+            Scheme::Interpolatory { tension, marked } => {
+                Scheme::Interpolatory { tension: self.tension.map_or(tension, |w| w.0), marked }
+            }
+            Scheme::LoopSolid { interior } => {
+                Scheme::LoopSolid { interior: self.interior.map_or(interior, |c| c.0) }
+            }
+            other => other,
+        }
+    }
+
+    fn step(&self) -> Step {
+        let min_quality = self.min_quality.map(|Fraction(eta)| eta);
+        Step { scheme: self.scheme(), diagonal: self.diagonal.0, min_quality }
+    }
+
+    /// Before any level is made: the last one is the one that does not fit.
+    fn refuse_too_many(&self, tets: usize, context: &Context) -> Result<(), Error> {
+        // The greatest l with tets · 8^l ≤ MAX_TETS.
+        let most = (MAX_TETS / tets.max(1)).checked_ilog2().map_or(0, |log| log / 3);
+        if u32::from(self.levels) <= most {
+            return Ok(());
+        }
+        let levels = self.levels;
+        Err(context.request(format!(
+            "levels = {levels} would make {tets} · 8^{levels} tets, more than the {MAX_TETS} that \
+             can be numbered; at most {most} levels fit"
+        )))
+    }
+
+    /// A note about the options that come too late, if any are given.
+    fn without_effect(&self, mesh: &TetMesh) -> Vec<String> {
+        let given = [
+            ("marking", self.marking.is_some()),
+            ("crease-angle", self.crease_angle.is_some()),
+            ("group-curves", self.group_curves.is_some()),
+            ("group-points", self.group_points.is_some()),
+            ("group-borders", self.group_borders.is_some()),
+            ("surfaces", self.surfaces.is_some()),
+            ("extra-creases", self.extra_creases.is_some()),
+            ("extra-corners", self.extra_corners.is_some()),
+        ];
+        let given: Vec<&str> =
+            given.into_iter().filter(|(_, is)| *is).map(|(key, _)| key).collect();
+        if mesh.features().is_none() || given.is_empty() {
+            return Vec::new();
+        }
+        vec![format!(
+            "the file or an earlier stage records the marking and what stays sharp; no effect has: {}",
+            given.join(", ")
+        )]
+    }
+
     fn feature_options(&self, mesh: &TetMesh, context: &Context) -> Result<FeatureOptions, Error> {
         let mut surfaces = Vec::new();
-        for name in &self.surfaces {
-            let ids = group_ids(mesh.raw(), 2, name).map_err(|text| context.request(text))?;
-            surfaces.extend(ids);
+        for name in self.surfaces.iter().flatten() {
+            surfaces.extend(group_ids(mesh.raw(), 2, name, context)?);
         }
+        let creases = self.extra_creases.as_deref().unwrap_or_default();
+        let corners = self.extra_corners.as_deref().unwrap_or_default();
+        let extra = ExtraFeatures::new(mesh, creases, corners)
+            .map_err(|error| context.request(error.to_string()))?;
+        let defaults = FeatureOptions::default();
         Ok(FeatureOptions {
-            crease_angle: self.crease_angle.0,
-            group_curves: self.group_curves,
-            group_points: self.group_points,
-            group_borders: self.group_borders,
+            marking: self.marking.map_or(defaults.marking, |marking| marking.0),
+            crease_angle: self.crease_angle.map_or(defaults.crease_angle, |angle| angle.0),
+            group_curves: self.group_curves.unwrap_or(defaults.group_curves),
+            group_points: self.group_points.unwrap_or(defaults.group_points),
+            group_borders: self.group_borders.unwrap_or(defaults.group_borders),
             surfaces,
-            ..FeatureOptions::default()
+            extra,
         })
-    }
-}
-
-fn level_report(state: &State, context: &Context) -> Result<LevelReport, Error> {
-    let mesh = state.finest().ok_or_else(|| context.order("check"))?;
-    let quality = summarise(mesh.raw());
-    let eta = |of: fn(&QualitySummary) -> f64| quality.as_ref().map_or(f64::NAN, of);
-    Ok(LevelReport {
-        vertices: mesh.points().len(),
-        tets: mesh.tets().len(),
-        eta_min: eta(|quality| quality.eta.min),
-        eta_mean: eta(|quality| quality.eta.mean),
-    })
-}
-
-impl SubdivideReport {
-    pub(super) fn summary(&self) -> String {
-        let (vertices, tets) = (short(self.vertices), short(self.tets));
-        format!("{} scheme: {vertices} vertices, {tets} tets", self.scheme)
     }
 }

@@ -10,7 +10,7 @@ use serde::{Deserialize, Serialize};
 use super::Context;
 use crate::amount;
 use crate::error::Error;
-use crate::output::create_folder;
+use crate::output::{create_folder, write_with_surfaces};
 use crate::state::State;
 
 /// Writes `solution.vtu` (the finest mesh with every field, region and quality
@@ -77,13 +77,12 @@ impl Write {
         path: &Path,
         solution: &Dataset,
     ) -> Result<(Vec<PathBuf>, String), Error> {
-        vtu::write(path, solution)?;
-        let mut files = vec![path.to_path_buf()];
-        if self.surfaces && !solution.mesh.triangles.is_empty() {
-            let beside = vtu::surfaces_path(path);
-            vtu::write_surfaces(&beside, solution)?;
-            files.push(beside);
-        }
+        let files = if self.surfaces {
+            write_with_surfaces(path, solution)?
+        } else {
+            vtu::write(path, solution)?;
+            vec![path.to_path_buf()]
+        };
         let bytes = amount::bytes(files.iter().map(|file| size(file)).sum());
         Ok((files, bytes))
     }

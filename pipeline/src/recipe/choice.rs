@@ -1,0 +1,74 @@
+//! Closed choices of the mesh crate, by name.
+
+use std::str::FromStr;
+
+use octruss_mesh::{Diagonal, Marking, Scheme};
+use serde::de::{Deserialize, Deserializer, Error};
+
+use super::nearest::suggestion;
+
+/// A choice that configs and the command line make by its name.
+///
+/// ```
+/// use octruss::recipe::{Named, SchemeName};
+/// assert_eq!("box-spline".parse(), Ok(Named(octruss_mesh::Scheme::BoxSpline)));
+/// let error = "lineer".parse::<SchemeName>().unwrap_err();
+/// assert!(error.starts_with("unknown scheme `lineer`; did you mean `linear`? (valid: linear, "));
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Named<T>(pub T);
+
+/// A scheme with its usual parameters.
+pub type SchemeName = Named<Scheme>;
+
+/// What can be chosen by name.
+pub trait Choice: Copy + 'static {
+    /// What is chosen, in a word.
+    const WHAT: &'static str;
+    /// All that there is.
+    const ALL: &'static [Self];
+    /// The name of one.
+    fn name(self) -> &'static str;
+}
+
+impl Choice for Scheme {
+    const WHAT: &'static str = "scheme";
+    const ALL: &'static [Self] = &Scheme::ALL;
+    fn name(self) -> &'static str {
+        Scheme::name(self)
+    }
+}
+
+impl Choice for Marking {
+    const WHAT: &'static str = "marking";
+    const ALL: &'static [Self] = &Marking::ALL;
+    fn name(self) -> &'static str {
+        Marking::name(self)
+    }
+}
+
+impl Choice for Diagonal {
+    const WHAT: &'static str = "diagonal";
+    const ALL: &'static [Self] = &Diagonal::ALL;
+    fn name(self) -> &'static str {
+        Diagonal::name(self)
+    }
+}
+
+impl<T: Choice> FromStr for Named<T> {
+    type Err = String;
+
+    fn from_str(name: &str) -> Result<Self, String> {
+        let found = T::ALL.iter().find(|choice| choice.name() == name);
+        found.map(|&choice| Self(choice)).ok_or_else(|| {
+            let valid: Vec<&str> = T::ALL.iter().map(|choice| choice.name()).collect();
+            format!("unknown {} `{name}`{}", T::WHAT, suggestion(name, &valid))
+        })
+    }
+}
+
+impl<'de, T: Choice> Deserialize<'de> for Named<T> {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        String::deserialize(deserializer)?.parse().map_err(D::Error::custom)
+    }
+}

@@ -1,0 +1,175 @@
+//! What refining did.
+
+use std::collections::BTreeMap;
+
+use octruss_mesh::quality::{QualitySummary, summarise};
+use octruss_mesh::{Hierarchy, MarkingReport, Scheme, marking_report};
+use serde::Serialize;
+
+use crate::amount::short;
+
+/// All levels, the coarsest first.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct SubdivideReport {
+    /// The scheme's name.
+    pub scheme: &'static str,
+    /// The tension, of interpolatory schemes.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub tension: Option<f64>,
+    /// The weight of an interior vertex itself, of `loop-solid`.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub interior: Option<f64>,
+    /// Vertices of the finest level.
+    pub vertices: usize,
+    /// Tets of the finest level.
+    pub tets: usize,
+    /// What stays sharp on the coarsest level.
+    pub strata: Strata,
+    /// The marking of the coarsest level.
+    pub marking: MarkingFigures,
+    /// Options that had no effect.
+    pub notes: Vec<String>,
+    /// One a level.
+    pub levels: Vec<LevelReport>,
+}
+
+/// How much of the coarsest level is below the solid.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Strata {
+    /// Edges that are curves.
+    pub crease_edges: usize,
+    /// Vertices that were made corners; ends and crossings of curves stay, too,
+    /// without being counted.
+    pub corners: usize,
+    /// Faces of surfaces: the boundary, interfaces and the groups asked for.
+    pub surface_faces: usize,
+}
+
+/// How far the marking agrees, before it is chosen and after.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct MarkingFigures {
+    /// Faces between two tets.
+    pub interior_faces: usize,
+    /// Those whose tets marked different edges in the order they came in.
+    pub conflicting_faces_before: usize,
+    /// The same as marked.
+    pub conflicting_faces: usize,
+    /// How many interior edges of level 1 have so many tets round them, in the
+    /// order they came in.
+    pub edge_valences_before: BTreeMap<u32, usize>,
+    /// The same as marked.
+    pub edge_valences: BTreeMap<u32, usize>,
+}
+
+/// One level.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct LevelReport {
+    /// Vertices.
+    pub vertices: usize,
+    /// Tets.
+    pub tets: usize,
+    /// The worst mean ratio η of a tet: 1 regular, 0 flat.
+    pub eta_min: f64,
+    /// The mean of η.
+    pub eta_mean: f64,
+    /// What keeping the quality took, where it was asked for.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub guard: Option<GuardFigures>,
+}
+
+/// What keeping the quality took.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct GuardFigures {
+    /// The η that no tet falls below, unless its parent was below it.
+    pub floor: f64,
+    /// How many vertices were pulled back.
+    pub pulled_back: usize,
+    /// How many of them all the way to the linear rule.
+    pub linear: usize,
+}
+
+impl SubdivideReport {
+    /// Of the level at hand, before any other is made.
+    pub(super) fn new(
+        scheme: Scheme,
+        hierarchy: &Hierarchy,
+        unmarked: Option<MarkingReport>,
+        notes: Vec<String>,
+    ) -> Self {
+        let level = LevelReport { guard: None, ..LevelReport::of_finest(hierarchy) };
+        let marked = marking_report(&hierarchy.topologies[hierarchy.topologies.len() - 1]);
+        let (mut tension, mut interior) = (None, None);
+        match scheme {
+            Scheme::Interpolatory { tension: w, .. } => tension = Some(w),
+            Scheme::LoopSolid { interior: c } => interior = Some(c),
+            Scheme::Linear | Scheme::BoxSpline | Scheme::Averaged => {}
+        }
+        Self {
+            scheme: scheme.name(),
+            tension,
+            interior,
+            vertices: level.vertices,
+            tets: level.tets,
+            strata: Strata::of_finest(hierarchy),
+            marking: MarkingFigures::new(unmarked.unwrap_or_else(|| marked.clone()), marked),
+            notes,
+            levels: vec![level],
+        }
+    }
+
+    pub(super) fn add(&mut self, level: LevelReport) {
+        (self.vertices, self.tets) = (level.vertices, level.tets);
+        self.levels.push(level);
+    }
+
+    pub(super) fn summary(&self) -> String {
+        let (vertices, tets) = (short(self.vertices), short(self.tets));
+        format!("{} scheme: {vertices} vertices, {tets} tets", self.scheme)
+    }
+}
+
+impl Strata {
+    fn of_finest(hierarchy: &Hierarchy) -> Self {
+        let mesh = hierarchy.finest();
+        let topology = &hierarchy.topologies[hierarchy.topologies.len() - 1];
+        let features = mesh.features().cloned().unwrap_or_default();
+        let strata = octruss_mesh::Strata::new(mesh.raw(), topology, &features);
+        Self {
+            crease_edges: features.creases.len(),
+            corners: features.corners.len(),
+            surface_faces: strata.is_surface.iter().filter(|is| **is).count(),
+        }
+    }
+}
+
+impl MarkingFigures {
+    fn new(before: MarkingReport, after: MarkingReport) -> Self {
+        Self {
+            interior_faces: after.interior_faces,
+            conflicting_faces_before: before.conflicting_faces,
+            conflicting_faces: after.conflicting_faces,
+            edge_valences_before: before.split_edge_valences.into_iter().collect(),
+            edge_valences: after.split_edge_valences.into_iter().collect(),
+        }
+    }
+}
+
+impl LevelReport {
+    pub(super) fn of_finest(hierarchy: &Hierarchy) -> Self {
+        let mesh = hierarchy.finest();
+        let quality = summarise(mesh.raw());
+        let eta = |of: fn(&QualitySummary) -> f64| quality.as_ref().map_or(f64::NAN, of);
+        let guard = hierarchy.refinements.last().and_then(|refinement| refinement.guard);
+        Self {
+            vertices: mesh.points().len(),
+            tets: mesh.tets().len(),
+            eta_min: eta(|quality| quality.eta.min),
+            eta_mean: eta(|quality| quality.eta.mean),
+            guard: guard.map(|guard| GuardFigures {
+                floor: guard.floor,
+                pulled_back: guard.pulled_back,
+                linear: guard.linear,
+            }),
+        }
+    }
+}

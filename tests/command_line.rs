@@ -225,3 +225,21 @@ fn a_reader_that_goes_away_is_no_failure() {
     assert!(child.wait().unwrap().success());
     assert_eq!(message, "");
 }
+
+#[test]
+fn options_that_come_too_late_are_told_even_when_quiet() {
+    let folder = tempfile::tempdir().unwrap();
+    let cube = sample("cube.msh").display().to_string();
+    let refine = |input: &str, more: &[&str]| {
+        let arguments =
+            ["refine", input, "out.vtu", "--scheme", "linear", "--levels", "1", "--quiet"];
+        let output = octruss(folder.path(), &[&arguments[..], more].concat());
+        assert_eq!(code(&output), 0, "{}", stderr(&output));
+        stderr(&output)
+    };
+    assert_eq!(refine(&cube, &["--crease-angle", "30"]), "");
+    assert!(folder.path().join("out.surfaces.vtu").exists());
+    assert_eq!(refine("out.vtu", &[]), "");
+    let note = refine("out.vtu", &["--crease-angle", "30", "--marking", "agree"]);
+    assert!(note.starts_with("note: ") && note.contains("marking, crease-angle"), "{note}");
+}

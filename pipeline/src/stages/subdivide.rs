@@ -181,9 +181,9 @@ impl Subdivide {
         if mesh.features().is_none() || given.is_empty() {
             return Vec::new();
         }
+        let given = given.join(", ");
         vec![format!(
-            "the file or an earlier stage records the marking and what stays sharp; no effect has: {}",
-            given.join(", ")
+            "what stays sharp is recorded, in the file or earlier: {given} without effect"
         )]
     }
 

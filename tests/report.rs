@@ -127,3 +127,73 @@ fn the_second_solve_of_a_run_goes_by_its_own_name() {
         assert!((value - exact).abs() < 0.01, "{value} instead of {exact}");
     }
 }
+
+/// A free-standing tagged triangle far below the cube: nothing is solved there.
+#[test]
+fn vertices_outside_all_tets_hold_no_solution_and_do_not_count() {
+    let folder = tempfile::tempdir().unwrap();
+    let mut mesh = octruss_mesh::shapes::kuhn_cube(2).into_raw();
+    let first = mesh.points.len() as u32;
+    mesh.points.extend([[0.0, 0.0, -9.0], [1.0, 0.0, -9.0], [0.0, 1.0, -9.0]]);
+    mesh.triangles.push([first, first + 1, first + 2], 9);
+    let dataset = octruss_meshio::Dataset { mesh, ..Default::default() };
+    octruss_meshio::write(&folder.path().join("cube.vtu"), &dataset).unwrap();
+    let config = "name = \"c\"\n[[stage]]\nkind = \"import\"\npath = \"cube.vtu\"\n[[stage]]\n\
+        kind = \"check\"\n[[stage]]\nkind = \"solve\"\nsource = 1\nprolongation = [\"linear\"]\n\
+        fixed = [{ surface = \"x0\", value = 5 }]\n[[stage]]\nkind = \"write\"\n";
+    std::fs::write(folder.path().join("c.toml"), config).unwrap();
+    succeed(folder.path(), &["run", "c.toml"]);
+    let out = folder.path().join("out/c");
+    let solve = &report(&out)["stages"][2]["solves"][0];
+    // u = 5 + x − x²/2 is 5 at x = 0 and at least that elsewhere.
+    assert_eq!(solve["minimum"], 5.0);
+    let solution = octruss_meshio::read(&out.join("solution.vtu")).unwrap();
+    let octruss_meshio::Values::Float(values) = &solution.point_fields[0].values else { panic!() };
+    let blank: Vec<usize> = (0..values.len()).filter(|&v| values[v].is_nan()).collect();
+    assert_eq!(blank, [27, 28, 29]);
+}
+
+#[test]
+fn the_report_tells_the_marking_the_sharp_parts_and_the_guard() {
+    let folder = tempfile::tempdir().unwrap();
+    let mesh = octruss_mesh::shapes::kuhn_cube(2).into_raw();
+    let dataset = octruss_meshio::Dataset { mesh, ..Default::default() };
+    octruss_meshio::write(&folder.path().join("cube.vtu"), &dataset).unwrap();
+    let config = "name = \"c\"\n[[stage]]\nkind = \"import\"\npath = \"cube.vtu\"\n[[stage]]\n\
+        kind = \"check\"\n[[stage]]\nkind = \"subdivide\"\nscheme = \"loop-solid\"\n\
+        interior = 0.75\nmarking = \"agree\"\nmin-quality = 0.2\nextra-corners = [0]\n\
+        extra-creases = [[0, 13]]\n";
+    std::fs::write(folder.path().join("c.toml"), config).unwrap();
+    let set = |value: &str| octruss(folder.path(), &["run", "c.toml", "--quiet", "--set", value]);
+    let output = set("expect={}");
+    assert_eq!(code(&output), 0, "{}", stderr(&output));
+    let report = report(&folder.path().join("out/c"));
+    let subdivide = &report["stages"][2];
+    assert_eq!(
+        (&subdivide["scheme"], &subdivide["interior"]),
+        (&"loop-solid".into(), &0.75.into())
+    );
+    // Twelve edges of the cube, two mesh edges each, and the diagonal asked for;
+    // six sides of four squares with two triangles each; 48 · 4 = 2 · interior + 48.
+    assert_eq!(subdivide["strata"]["crease_edges"], 12 * 2 + 1);
+    assert_eq!(subdivide["strata"]["surface_faces"], 48);
+    assert_eq!(subdivide["strata"]["corners"], 1);
+    assert_eq!(subdivide["marking"]["interior_faces"], 72);
+    // The Kuhn lattice has a two-colouring, and so a marking without conflicts.
+    assert_eq!(subdivide["marking"]["conflicting_faces"], 0);
+    assert!(subdivide["marking"]["edge_valences"]["5"].is_null());
+    assert_eq!(subdivide["levels"][1]["guard"]["floor"], 0.2);
+    for (value, says, expected) in [
+        ("stage.subdivide.scheme=linear", "`interior` belongs to `loop-solid`, but", 2),
+        ("stage.subdivide.tension=0.1", "`tension` belongs to `interpolatory`", 2),
+        ("stage.subdivide.min-quality=2", "expected a number from 0 to 1, found 2", 2),
+        ("stage.subdivide.marking=agre", "unknown marking `agre`; did you mean `agree`?", 2),
+        ("stage.subdivide.diagonal=long", "unknown diagonal `long` (valid: inherit, ", 2),
+        ("stage.subdivide.extra-corners=[27]", "the corner 27 is no vertex of the mesh", 1),
+        ("stage.subdivide.extra-creases=[[0, 26]]", "the crease 0-26 is no edge", 1),
+    ] {
+        let output = set(value);
+        assert!(stderr(&output).contains(says), "{value}: {}", stderr(&output));
+        assert_eq!(code(&output), expected, "{value}");
+    }
+}

@@ -1,5 +1,6 @@
 //! Refining the mesh, level by level.
 
+use octruss_mesh::subdivide::MAX_TETS;
 use octruss_mesh::{
     Diagonal, ExtraFeatures, FeatureOptions, Marking, Scheme, Step, TetMesh, Topology,
     marking_report,
@@ -14,9 +15,6 @@ use crate::amount::short;
 use crate::error::Error;
 use crate::recipe::{Degrees, Fraction, Named, SchemeName};
 use crate::state::State;
-
-/// More tets than this cannot be numbered: [`octruss_mesh::subdivide()`] refuses them.
-const MAX_TETS: usize = u32::MAX as usize / 6;
 
 /// Refines every tet into eight, some times over. The marking and what stays
 /// sharp are found once, on the coarsest mesh: a second such stage, or a mesh

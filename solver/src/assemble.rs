@@ -62,7 +62,7 @@ pub fn assemble(mesh: &TetMesh, topology: &Topology, problem: &Poisson) -> Resul
     let at_vertices = VertexEdges::new(topology);
     let incidence = (edges, &at_vertices);
     let matrix = stiffness_matrix(&dofs, incidence, &couplings);
-    let rhs = lifted_load(&dofs, incidence, &couplings, &load_vector(mesh, problem)?);
+    let rhs = lifted_load(&dofs, incidence, &couplings, &load_vector(mesh, topology, problem)?);
     check_finite("stiffness matrix", matrix.values())?;
     check_finite("load vector", &rhs)?;
     Ok(System { matrix, rhs, dofs })

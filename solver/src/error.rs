@@ -40,14 +40,16 @@ pub enum Error {
         /// The ids in use, ascending.
         known: Vec<i32>,
     },
-    /// A flux is given on triangles that touch no tet.
+    /// Boundary data are given on triangles that are no faces of tets.
     #[error(
-        "no triangle of surface {id} has a vertex of a tet, so a flux there enters nothing; give \
-         it on a surface of the body"
+        "{detached} triangles of surface {id} are no faces of tets, so what is given there is \
+         lost; give it on a surface of the body"
     )]
     DetachedSurface {
         /// The surface.
         id: i32,
+        /// How many of its triangles stand free.
+        detached: usize,
     },
     /// A coefficient or source names a region without tets.
     #[error("no tet belongs to region {id}; regions of this mesh: {known:?}")]

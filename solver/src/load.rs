@@ -3,16 +3,20 @@
 //! Constants are integrated exactly; functions by rules of degree 2 (four
 //! points a tet, three a triangle), which leaves an L² rate of 2 intact.
 
-use crate::dofs::{surface_vertices, vertices_of_tets};
 use crate::element::triangle_area;
 use crate::error::Error;
 use crate::problem::{ByRegion, Poisson, Scalar, check_surface};
 use crate::quadrature::{DEGREE_2, TRIANGLE_DEGREE_2, position};
 use crate::scatter::Scatter;
-use octruss_mesh::TetMesh;
+use octruss_mesh::topology::NONE;
+use octruss_mesh::{TetMesh, Topology};
 
 /// ∫ f φ + ∫ g φ over body and surfaces, for each vertex.
-pub(crate) fn load_vector(mesh: &TetMesh, problem: &Poisson) -> Result<Vec<f64>, Error> {
+pub(crate) fn load_vector(
+    mesh: &TetMesh,
+    topology: &Topology,
+    problem: &Poisson,
+) -> Result<Vec<f64>, Error> {
     problem.source.check(mesh)?;
     let mut load = if is_zero(&problem.source) {
         vec![0.0; mesh.points().len()]
@@ -24,7 +28,7 @@ pub(crate) fn load_vector(mesh: &TetMesh, problem: &Poisson) -> Result<Vec<f64>,
     };
     for (surface, flux) in &problem.flux {
         check_surface(mesh, *surface)?;
-        check_attached(mesh, *surface)?;
+        check_attached(mesh, topology, *surface)?;
         for (triangle, _) in mesh.triangles().iter().filter(|(_, id)| id == surface) {
             let values = flux_load(triangle.map(|v| mesh.points()[v as usize]), flux);
             for (vertex, value) in triangle.into_iter().zip(values) {
@@ -35,14 +39,18 @@ pub(crate) fn load_vector(mesh: &TetMesh, problem: &Poisson) -> Result<Vec<f64>,
     Ok(load)
 }
 
-/// Checks that a surface touches the body: loads elsewhere are lost.
-fn check_attached(mesh: &TetMesh, surface: i32) -> Result<(), Error> {
-    let in_tet = vertices_of_tets(mesh);
-    if surface_vertices(mesh, surface).any(|vertex| in_tet[vertex as usize]) {
-        Ok(())
-    } else {
-        Err(Error::DetachedSurface { id: surface })
-    }
+/// Checks that a surface consists of faces of tets: loads elsewhere are lost.
+fn check_attached(mesh: &TetMesh, topology: &Topology, surface: i32) -> Result<(), Error> {
+    let is_face = |triangle: [u32; 3]| {
+        let face = topology.face_of(triangle);
+        face.is_some_and(|face| topology.face_tets()[face as usize][0] != NONE)
+    };
+    let detached = mesh
+        .triangles()
+        .iter()
+        .filter(|&(triangle, id)| id == surface && !is_face(triangle))
+        .count();
+    if detached == 0 { Ok(()) } else { Err(Error::DetachedSurface { id: surface, detached }) }
 }
 
 fn is_zero(source: &ByRegion) -> bool {

@@ -254,7 +254,15 @@ fn a_flux_beside_the_body_is_refused() {
     let flux = vec![(70, 1.0.into())];
     let problem = Poisson { fixed: vec![(1, 0.0.into())], flux, ..Poisson::default() };
     let refused = assemble(&mesh, &Topology::new(mesh.raw()), &problem);
-    assert!(matches!(refused, Err(Error::DetachedSurface { id: 70 })));
+    assert!(matches!(refused, Err(Error::DetachedSurface { id: 70, detached: 1 })));
+    // Nor may a triangle only hang on the body by its corners.
+    let mut raw = mesh.into_raw();
+    raw.triangles.push([1, 2, 4], 71);
+    let mesh = checked(raw);
+    let flux = vec![(71, 1.0.into())];
+    let problem = Poisson { fixed: vec![(1, 0.0.into())], flux, ..Poisson::default() };
+    let refused = assemble(&mesh, &Topology::new(mesh.raw()), &problem);
+    assert!(matches!(refused, Err(Error::DetachedSurface { id: 71, detached: 1 })));
 }
 
 #[test]

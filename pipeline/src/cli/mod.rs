@@ -50,7 +50,7 @@ enum Command {
 #[derive(Args)]
 struct Threads {
     /// Threads to work with; all of the machine's unless given
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..))]
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024))]
     threads: Option<u16>,
 }
 

@@ -3,6 +3,7 @@
 use crate::error::{Error, check_size};
 use crate::problem::{Scalar, check_surface};
 use octruss_mesh::TetMesh;
+use octruss_mesh::components::part_of_vertices;
 
 /// Marks a vertex without an unknown.
 const NONE: u32 = u32::MAX;
@@ -109,24 +110,19 @@ impl Dofs {
         Ok(all)
     }
 
-    /// Checks that every part of the mesh that `edges` connect has a fixed
-    /// vertex or no unknown at all.
-    pub(crate) fn check_anchored(
-        &self,
-        edges: impl Iterator<Item = [u32; 2]>,
-    ) -> Result<(), Error> {
-        let mut parts = Parts::new(self.vertices());
-        edges.for_each(|[a, b]| parts.join(a, b));
+    /// Checks that every part of the mesh has a fixed vertex or no unknown at all.
+    pub(crate) fn check_anchored(&self, mesh: &TetMesh) -> Result<(), Error> {
+        let parts = part_of_vertices(mesh.raw());
         let mut anchored = vec![false; self.vertices()];
         for vertex in 0..self.vertices() as u32 {
             if self.unknown(vertex).is_none() {
-                anchored[parts.root(vertex) as usize] = true;
+                anchored[parts[vertex as usize] as usize] = true;
             }
         }
-        let loose = |v: &&u32| !anchored[parts.find(**v) as usize];
+        let loose = |v: &&u32| !anchored[parts[**v as usize] as usize];
         let Some(&example) = self.free.iter().find(loose) else { return Ok(()) };
-        let root = parts.find(example);
-        let vertices = self.free.iter().filter(|v| parts.find(**v) == root).count();
+        let part = parts[example as usize];
+        let vertices = self.free.iter().filter(|v| parts[**v as usize] == part).count();
         Err(Error::NothingFixed { vertices, example })
     }
 }
@@ -143,37 +139,4 @@ pub(crate) fn vertices_of_tets(mesh: &TetMesh) -> Vec<bool> {
 /// The vertices of the triangles of a surface, as often as they are used.
 pub(crate) fn surface_vertices(mesh: &TetMesh, surface: i32) -> impl Iterator<Item = u32> {
     mesh.triangles().iter().filter(move |(_, id)| *id == surface).flat_map(|(triangle, _)| triangle)
-}
-
-/// Disjoint sets of vertices; the root of a set is its smallest vertex.
-struct Parts {
-    parents: Vec<u32>,
-}
-
-impl Parts {
-    fn new(vertices: usize) -> Self {
-        Self { parents: (0..vertices as u32).collect() }
-    }
-
-    fn find(&self, mut vertex: u32) -> u32 {
-        while self.parents[vertex as usize] != vertex {
-            vertex = self.parents[vertex as usize];
-        }
-        vertex
-    }
-
-    /// As `find`, halving the path on its way.
-    fn root(&mut self, mut vertex: u32) -> u32 {
-        while self.parents[vertex as usize] != vertex {
-            let grandparent = self.parents[self.parents[vertex as usize] as usize];
-            self.parents[vertex as usize] = grandparent;
-            vertex = grandparent;
-        }
-        vertex
-    }
-
-    fn join(&mut self, a: u32, b: u32) {
-        let (a, b) = (self.root(a), self.root(b));
-        self.parents[a.max(b) as usize] = a.min(b);
-    }
 }

@@ -36,11 +36,6 @@ impl<'a, const N: usize> Scatter<'a, N> {
         Self { elements, owners: owners.into_iter().map(AtomicU8::into_inner).collect() }
     }
 
-    /// Whether any element has this target.
-    pub(crate) fn touches(&self, target: usize) -> bool {
-        self.owners[target] != UNTOUCHED
-    }
-
     /// The sum at each target of what `contribution(element)` gives to it.
     pub(crate) fn sum(&self, contribution: impl Fn(usize) -> [f64; N] + Sync) -> Vec<f64> {
         let len = chunk_len(self.elements);

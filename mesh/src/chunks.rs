@@ -13,22 +13,43 @@ pub(crate) fn accumulate<T: Copy + std::ops::AddAssign>(counts: &mut [T]) {
     }
 }
 
+/// Arrays that are cut at the same places: one, or several side by side.
+pub(crate) trait Cut: Send + Sized {
+    /// The first `count` entries of each, and the rest.
+    fn cut(self, count: usize) -> (Self, Self);
+}
+
+impl<T: Send> Cut for &mut [T] {
+    fn cut(self, count: usize) -> (Self, Self) {
+        self.split_at_mut(count)
+    }
+}
+
+impl<A: Cut, B: Cut, C: Cut> Cut for (A, B, C) {
+    fn cut(self, count: usize) -> (Self, Self) {
+        let ((a, a_rest), (b, b_rest)) = (self.0.cut(count), self.1.cut(count));
+        let (c, c_rest) = self.2.cut(count);
+        ((a, b, c), (a_rest, b_rest, c_rest))
+    }
+}
+
 /// Runs `work(first_row, last_row, values)` for chunks of rows, where row r owns
-/// `values[offsets[r]..offsets[r + 1]]` and the task gets the values of its rows.
-pub(crate) fn for_each<O: Copy + Sync, T: Send>(
+/// `values[offsets[r]..offsets[r + 1]]` (of each array, if there are several)
+/// and the task gets the values of its rows.
+pub(crate) fn for_each<O: Copy + Sync, V: Cut>(
     offsets: &[O],
-    values: &mut [T],
-    work: impl Fn(usize, usize, &mut [T]) + Sync,
+    values: V,
+    work: impl Fn(usize, usize, V) + Sync,
 ) where
     u64: From<O>,
 {
     let rows = offsets.len() - 1;
     let at = |row: usize| u64::from(offsets[row]) as usize;
-    let mut rest = &mut values[at(0)..];
+    let (_, mut rest) = values.cut(at(0));
     let mut tasks = Vec::with_capacity(rows / CHUNK + 1);
     for first in (0..rows).step_by(CHUNK) {
         let last = (first + CHUNK).min(rows);
-        let (chunk, tail) = rest.split_at_mut(at(last) - at(first));
+        let (chunk, tail) = rest.cut(at(last) - at(first));
         rest = tail;
         tasks.push((first, last, chunk));
     }

@@ -13,14 +13,15 @@
 
 pub mod analysis;
 mod assemble_matrix;
-mod buckets;
 pub mod check;
 mod chunks;
 pub mod components;
 pub mod features;
 pub mod finding;
+mod groups;
 pub mod guard;
 pub mod hierarchy;
+pub mod large_array;
 pub mod marking;
 mod neighbourhoods;
 mod octets;

@@ -6,7 +6,7 @@ use crate::rules;
 use crate::scheme::Scheme;
 use crate::subdivision_matrix::{SubdivisionMatrix, linear_matrix};
 use crate::tet_mesh::TetMesh;
-use crate::topology::{Topology, VertexEdges};
+use crate::topology::{EdgeFaces, Topology, VertexEdges};
 
 /// The matrix of one step of a scheme on a mesh with its topology.
 ///
@@ -16,21 +16,22 @@ pub fn subdivision_matrix(
     topology: &Topology,
     scheme: Scheme,
 ) -> SubdivisionMatrix {
-    matrix_with(mesh.raw(), topology, &VertexEdges::new(topology), scheme)
+    let incidences = (&VertexEdges::new(topology), &EdgeFaces::new(topology));
+    matrix_with(mesh.raw(), topology, incidences, scheme)
 }
 
-/// The same, with the edges at each vertex at hand.
+/// The same, with the edges at each vertex and the faces at each edge at hand.
 pub(crate) fn matrix_with(
     mesh: &RawMesh,
     topology: &Topology,
-    vertex_edges: &VertexEdges,
+    (vertex_edges, edge_faces): (&VertexEdges, &EdgeFaces),
     scheme: Scheme,
 ) -> SubdivisionMatrix {
     if scheme == Scheme::Linear {
         return linear_matrix(topology);
     }
     let n = topology.vertex_count();
-    let near = Neighbourhoods::new(mesh, topology, vertex_edges, scheme);
+    let near = Neighbourhoods::new(mesh, topology, (vertex_edges, edge_faces), scheme);
     SubdivisionMatrix::from_rows(n + topology.edges().len(), n, |row, entries| {
         match row.checked_sub(n) {
             None => rules::vertex_row(scheme, &near, row as u32, entries),

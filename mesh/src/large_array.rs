@@ -11,8 +11,21 @@ const LARGE: usize = 4 << 20;
 /// untouched until they are first written; so threads that fill their parts
 /// also place them.
 pub fn zeroed<T: Copy + Default>(len: usize) -> Vec<T> {
-    let array = vec![T::default(); len];
+    filled(T::default(), len)
+}
+
+/// `len` copies of a value; as [`zeroed`] if it is all zeros in memory.
+pub fn filled<T: Copy>(value: T, len: usize) -> Vec<T> {
+    let array = vec![value; len];
     advise(&array);
+    array
+}
+
+/// `len` default values of a type that cannot be copied.
+pub fn defaults<T: Default>(len: usize) -> Vec<T> {
+    let mut array = Vec::with_capacity(len);
+    advise(array.spare_capacity_mut());
+    array.resize_with(len, T::default);
     array
 }
 

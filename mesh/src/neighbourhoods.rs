@@ -1,11 +1,13 @@
 //! What the rules ask about the surroundings of a vertex or an edge.
 
+use std::sync::OnceLock;
+
 use crate::octets::Octets;
 use crate::raw_mesh::{Features, RawMesh};
 use crate::reference_tet::{EDGES, MARKED, opposite_ends};
 use crate::scheme::Scheme;
 use crate::strata::Strata;
-use crate::topology::{EdgeTets, NONE, Topology, VertexEdges, ascending};
+use crate::topology::{EdgeFaces, EdgeTets, NONE, Topology, VertexEdges, ascending};
 
 /// A vertex, or a combination of vertices that stands for a missing one; the
 /// weights sum to one.
@@ -16,7 +18,9 @@ pub(crate) struct Neighbourhoods<'a> {
     mesh: &'a RawMesh,
     topology: &'a Topology,
     vertex_edges: &'a VertexEdges,
-    edge_tets: EdgeTets,
+    edge_faces: &'a EdgeFaces<'a>,
+    /// Only two of the schemes ask for it.
+    edge_tets: OnceLock<EdgeTets>,
     pub strata: Strata,
     octets: Option<Octets>,
 }
@@ -25,13 +29,14 @@ impl<'a> Neighbourhoods<'a> {
     pub fn new(
         mesh: &'a RawMesh,
         topology: &'a Topology,
-        vertex_edges: &'a VertexEdges,
+        (vertex_edges, edge_faces): (&'a VertexEdges, &'a EdgeFaces<'a>),
         scheme: Scheme,
     ) -> Self {
         let smooth = Features::default();
         let strata = Strata::new(mesh, topology, mesh.features.as_ref().unwrap_or(&smooth));
-        let edge_tets = EdgeTets::new(topology);
-        let mut near = Self { mesh, topology, vertex_edges, edge_tets, strata, octets: None };
+        let edge_tets = OnceLock::new();
+        let mut near =
+            Self { mesh, topology, vertex_edges, edge_faces, edge_tets, strata, octets: None };
         if scheme == Scheme::Averaged {
             near.octets = Some(Octets::new(&near, mesh, topology));
         }
@@ -57,21 +62,32 @@ impl<'a> Neighbourhoods<'a> {
         a ^ b ^ vertex
     }
 
-    /// The vertices that share an edge of a tet with this one, diagonals included.
+    /// The edges of tets at a vertex of the solid, ascending. (A free curve may
+    /// end there, too; no face holds its edges.)
+    pub fn solid_edges_at(&self, vertex: u32) -> impl Iterator<Item = u32> + Clone {
+        let all = self.edges_at(vertex).iter().copied();
+        all.filter(|&edge| self.edge_faces.count(edge) > 0)
+    }
+
+    /// The vertices that share an edge of a tet with one of the solid, diagonals
+    /// included; ascending.
     pub fn neighbours(&self, vertex: u32) -> impl Iterator<Item = u32> + Clone {
-        let in_solid = self.edges_at(vertex).iter().filter(|&&edge| !self.round(edge).is_empty());
-        in_solid.map(move |&edge| self.other_end(edge, vertex))
+        self.solid_edges_at(vertex).map(move |edge| self.other_end(edge, vertex))
     }
 
     /// The tets round an edge, as slots 6 · tet + local edge.
     pub fn round(&self, edge: u32) -> &[u32] {
-        self.edge_tets.of(edge as usize)
+        self.edge_tets.get_or_init(|| EdgeTets::new(self.topology)).of(edge as usize)
     }
 
-    /// The link vertices of the tets round an edge. Inside a solid the link is
-    /// closed, as many vertices as tets, and each comes twice.
-    pub fn link_twice(&self, edge: u32) -> impl Iterator<Item = u32> {
-        self.round(edge).iter().flat_map(|&slot| self.link_edge(slot))
+    /// How many tets are round an edge inside the solid, as many as faces.
+    pub fn valence(&self, edge: u32) -> usize {
+        self.edge_faces.count(edge)
+    }
+
+    /// The link vertices of an edge inside the solid, ascending.
+    pub fn link(&self, edge: u32) -> impl Iterator<Item = u32> {
+        self.edge_faces.thirds(edge)
     }
 
     /// The two vertices of a tet opposite to one of its edges.

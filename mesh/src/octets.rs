@@ -62,8 +62,8 @@ impl Octets {
 
     /// The vertices joined to one by edges of the truss.
     pub fn hard_neighbours(&self, near: &Neighbourhoods, vertex: u32) -> impl Iterator<Item = u32> {
-        let edges = near.edges_at(vertex).iter().filter(|&&edge| !self.is_diagonal(edge));
-        edges.map(move |&edge| near.other_end(edge, vertex))
+        let edges = near.solid_edges_at(vertex).filter(|&edge| !self.is_diagonal(edge));
+        edges.map(move |edge| near.other_end(edge, vertex))
     }
 
     /// The vertices opposite to one, an entry for each octahedron at it.

@@ -24,7 +24,7 @@ mod faces;
 mod slots;
 
 use crate::reference_tet::{EDGES, FACES, MARKING_PERMUTATIONS, PAIRS, edge_between};
-use crate::topology::{Topology, VertexEdges};
+use crate::topology::{EdgeFaces, Topology, VertexEdges};
 use children::Children;
 use edges::FineEdges;
 use faces::FineFaces;
@@ -44,8 +44,12 @@ pub(crate) struct Parents<'a> {
 }
 
 /// Splits every tet; child k of tet t is tet 8 t + k.
-pub(crate) fn red_split(coarse: &Parents, vertex_edges: &VertexEdges) -> RedSplit {
-    let edges = FineEdges::new(coarse, vertex_edges);
+pub(crate) fn red_split(
+    coarse: &Parents,
+    vertex_edges: &VertexEdges,
+    edge_faces: &EdgeFaces,
+) -> RedSplit {
+    let edges = FineEdges::new(coarse, vertex_edges, edge_faces);
     let faces = FineFaces::new(coarse, &edges, vertex_edges);
     let children = Children::new(coarse, &edges, &faces);
     let topology = Topology {
@@ -67,11 +71,16 @@ impl Parents<'_> {
     }
 
     /// The vertices of one tet, in the order that it is split in.
+    #[inline]
     pub fn vertices(&self, tet: usize) -> [u32; 4] {
-        MARKING_PERMUTATIONS[self.pair(tet)].map(|v| self.tets[tet][v])
+        match self.pair(tet) {
+            0 => self.tets[tet],
+            pair => MARKING_PERMUTATIONS[pair].map(|v| self.tets[tet][v]),
+        }
     }
 
     /// One tet, reordered if it is to be split along another diagonal.
+    #[inline]
     fn parent(&self, tet: usize) -> Parent {
         let (vertices, edges) = (self.tets[tet], self.topology.tet_edges[tet]);
         let faces = self.topology.tet_faces[tet];
@@ -79,6 +88,13 @@ impl Parents<'_> {
         if pair == 0 {
             return Parent { tet, vertices, edges, faces };
         }
+        self.reordered(tet, pair)
+    }
+
+    #[inline(never)]
+    fn reordered(&self, tet: usize, pair: usize) -> Parent {
+        let (vertices, edges) = (self.tets[tet], self.topology.tet_edges[tet]);
+        let faces = self.topology.tet_faces[tet];
         let order = MARKING_PERMUTATIONS[pair];
         Parent {
             tet,
@@ -90,7 +106,9 @@ impl Parents<'_> {
 
     /// The edges whose midpoints the inner diagonal of a tet joins, ascending.
     fn split_pair(&self, tet: usize) -> [u32; 2] {
-        let [p, q] = PAIRS[self.pair(tet)].map(|edge| self.topology.tet_edges[tet][edge]);
+        let edges = &self.topology.tet_edges[tet];
+        let [first, second] = PAIRS[self.pair(tet)];
+        let (p, q) = (edges[first], edges[second]);
         [p.min(q), p.max(q)]
     }
 }
@@ -103,12 +121,30 @@ struct Parent {
     faces: [u32; 4],
 }
 
+/// For each local face the places of its vertices in ascending order.
+type Ranks = [[u8; 3]; 4];
+
 impl Parent {
     /// The place of a local vertex among the ascending vertices of a local face.
     #[inline]
     fn rank(&self, face: usize, corner: usize) -> usize {
         let own = self.vertices[corner];
-        FACES[face].iter().map(|&v| usize::from(self.vertices[v] < own)).sum()
+        let mut rank = 0;
+        for v in FACES[face] {
+            rank += usize::from(self.vertices[v] < own);
+        }
+        rank
+    }
+
+    #[inline]
+    fn ranks(&self) -> Ranks {
+        let mut ranks = [[0; 3]; 4];
+        for (face, ranks) in ranks.iter_mut().enumerate() {
+            for (corner, rank) in ranks.iter_mut().enumerate() {
+                *rank = self.rank(face, FACES[face][corner]) as u8;
+            }
+        }
+        ranks
     }
 }
 
@@ -132,7 +168,9 @@ mod tests {
             let pairs = pairs(mesh.tets.len());
             let parents =
                 Parents { tets: &mesh.tets, topology: &topology, pairs: pairs.as_deref() };
-            let split = red_split(&parents, &VertexEdges::new(&topology));
+            let (vertex_edges, edge_faces) =
+                (VertexEdges::new(&topology), EdgeFaces::new(&topology));
+            let split = red_split(&parents, &vertex_edges, &edge_faces);
             mesh.points.resize(mesh.points.len() + topology.edges.len(), [0.0; 3]);
             mesh.tets = split.tets;
             topology = Topology::new(&mesh);

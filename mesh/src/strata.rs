@@ -49,23 +49,7 @@ impl Strata {
         }
         let surface = Incidence::symmetric(opposite.keys().map(ends));
         let curve = Incidence::symmetric(curves.into_iter());
-        let in_tet = vertices_of_tets(mesh);
-        let vertex_dimensions = (0..mesh.points.len() as u32)
-            .into_par_iter()
-            .map(|v| {
-                let free = !in_tet[v as usize] && surface.of(v).is_empty();
-                match curve.of(v).len() {
-                    _ if features.corners.binary_search(&v).is_ok() => 0,
-                    2 => 1,
-                    3.. => 0,
-                    // The end of a free curve, and a point on its own, have nothing to follow.
-                    _ if free => 0,
-                    // No crease, or the end of one (a dart): the smooth rule.
-                    _ if surface.of(v).is_empty() => 3,
-                    _ => 2,
-                }
-            })
-            .collect();
+        let vertex_dimensions = vertex_dimensions(mesh, features, &surface, &curve);
         Self { vertex_dimensions, edge_dimensions, is_surface, surface, curve, opposite }
     }
 
@@ -127,12 +111,29 @@ fn free_edges(mesh: &RawMesh, topology: &Topology) -> Vec<u32> {
     free
 }
 
-fn vertices_of_tets(mesh: &RawMesh) -> Vec<bool> {
-    let mut used = vec![false; mesh.points.len()];
-    for &v in mesh.tets.as_flattened() {
-        used[v as usize] = true;
+fn vertex_dimensions(
+    mesh: &RawMesh,
+    features: &Features,
+    surface: &Incidence,
+    curve: &Incidence,
+) -> Vec<u8> {
+    let mut dimensions = vec![3; mesh.points.len()];
+    // The end of a free curve, and a point on its own, have nothing to follow.
+    if !(mesh.edges.is_empty() && mesh.vertices.is_empty()) {
+        dimensions.fill(0);
+        mesh.tets.as_flattened().iter().for_each(|&v| dimensions[v as usize] = 3);
     }
-    used
+    surface.keys().for_each(|v| dimensions[v as usize] = 2);
+    for v in curve.keys() {
+        match curve.of(v).len() {
+            // The end of a crease (a dart): the smooth rule.
+            0 | 1 => {}
+            2 => dimensions[v as usize] = 1,
+            _ => dimensions[v as usize] = 0,
+        }
+    }
+    features.corners.iter().for_each(|&v| dimensions[v as usize] = 0);
+    dimensions
 }
 
 /// Short lists for a few of many keys: strata below the solid are small.

@@ -7,14 +7,15 @@ use rayon::prelude::*;
 use crate::assemble_matrix::matrix_with;
 use crate::chunks::CHUNK;
 use crate::guard::{Guard, GuardReport};
+use crate::large_array::zeroed;
 use crate::marking::shortest_pairs;
 use crate::raw_mesh::{Features, RawMesh, Tagged};
 use crate::red_split::{Parents, red_split};
-use crate::reference_tet::{CellState, six_volumes};
+use crate::reference_tet::{CellState, corners, six_volumes};
 use crate::step::{Diagonal, Step};
 use crate::subdivision_matrix::SubdivisionMatrix;
 use crate::tet_mesh::TetMesh;
-use crate::topology::{Topology, VertexEdges, ascending};
+use crate::topology::{EdgeFaces, Topology, VertexEdges, ascending};
 
 /// How a fine mesh came from a coarse one by the red split.
 ///
@@ -97,14 +98,15 @@ pub fn subdivide(
         return Err(SubdivideError::TooLarge { level, tets: 8 * coarse.tets.len() });
     }
     let vertex_edges = VertexEdges::new(topology);
-    let mut matrix = matrix_with(coarse, topology, &vertex_edges, scheme);
+    let edge_faces = EdgeFaces::new(topology);
+    let mut matrix = matrix_with(coarse, topology, (&vertex_edges, &edge_faces), scheme);
     let mut points = matrix.apply(&coarse.points);
     let pairs = match diagonal {
         Diagonal::Inherit => None,
         Diagonal::ShortestEachLevel => Some(shortest_pairs(coarse)),
     };
     let parents = Parents { tets: &coarse.tets, topology, pairs: pairs.as_deref() };
-    let split = red_split(&parents, &vertex_edges);
+    let split = red_split(&parents, &vertex_edges, &edge_faces);
     let guard = min_quality.map(|floor| {
         let guard = Guard {
             floor,
@@ -118,7 +120,7 @@ pub fn subdivide(
     refuse_inverted(&points, &split.tets, level)?;
     let fine = RawMesh {
         points,
-        regions: coarse.regions.iter().flat_map(|&region| [region; 8]).collect(),
+        regions: to_children(&coarse.regions, |&region| [region; 8]),
         tets: split.tets,
         ..split_tags(coarse, topology, diagonal)
     };
@@ -135,9 +137,7 @@ fn refuse_inverted(
         .with_min_len(CHUNK)
         .enumerate()
         // A volume that is no number is not greater than 0 either.
-        .filter(|(_, tet)| {
-            six_volumes(tet.map(|v| points[v as usize])).partial_cmp(&0.0) != Some(Greater)
-        })
+        .filter(|(_, tet)| six_volumes(corners(points, **tet)).partial_cmp(&0.0) != Some(Greater))
         .map(|(t, _)| t as u32)
         .collect();
     if inverted.is_empty() {
@@ -184,9 +184,20 @@ fn split_tags(coarse: &RawMesh, topology: &Topology, diagonal: Diagonal) -> RawM
 
 fn split_states(coarse: &RawMesh, features: &Features) -> Vec<CellState> {
     if features.cell_states.is_empty() {
-        return coarse.tets.iter().flat_map(|_| CellState::default().children()).collect();
+        return to_children(&coarse.tets, |_| CellState::default().children());
     }
-    features.cell_states.iter().flat_map(|state| state.children()).collect()
+    to_children(&features.cell_states, |state| state.children())
+}
+
+/// Eight values a tet, one for each child.
+fn to_children<P: Sync, T: Copy + Default + Send>(
+    parents: &[P],
+    values: impl Fn(&P) -> [T; 8] + Sync,
+) -> Vec<T> {
+    let mut children = zeroed(8 * parents.len());
+    let by_parent = children.as_chunks_mut::<8>().0.par_iter_mut().zip(parents);
+    by_parent.with_min_len(CHUNK).for_each(|(children, parent)| *children = values(parent));
+    children
 }
 
 fn split_each<const N: usize, const PARTS: usize>(

@@ -3,7 +3,8 @@
 use nalgebra_sparse::CsrMatrix;
 use rayon::prelude::*;
 
-use crate::chunks::CHUNK;
+use crate::chunks::{CHUNK, accumulate};
+use crate::large_array::{filled, zeroed};
 use crate::topology::Topology;
 
 /// One subdivision step, n_fine × n_coarse in compressed rows; every row sums
@@ -31,20 +32,37 @@ impl SubdivisionMatrix {
             .into_par_iter()
             .map(|chunk| RowChunk::new(CHUNK * chunk..rows.min(CHUNK * (chunk + 1)), &fill))
             .collect();
-        let nonzeros = chunks.iter().map(|chunk| chunk.columns.len()).sum();
+        let mut starts = vec![0];
+        starts.extend(chunks.iter().map(|chunk| chunk.columns.len() as u32));
+        accumulate(&mut starts);
+        let nonzeros = starts[chunks.len()] as usize;
         let mut matrix = Self {
             coarse_vertices,
-            offsets: Vec::with_capacity(rows + 1),
-            columns: Vec::with_capacity(nonzeros),
-            weights: Vec::with_capacity(nonzeros),
+            offsets: zeroed(rows + 1),
+            columns: zeroed(nonzeros),
+            weights: zeroed(nonzeros),
         };
-        matrix.offsets.push(0);
-        for chunk in chunks {
-            let before = matrix.columns.len() as u32;
-            matrix.offsets.extend(chunk.ends.iter().map(|end| before + end));
-            matrix.columns.extend_from_slice(&chunk.columns);
-            matrix.weights.extend_from_slice(&chunk.weights);
-        }
+        let (mut columns, mut weights) = (&mut matrix.columns[..], &mut matrix.weights[..]);
+        let parts = matrix.offsets[1..].chunks_mut(CHUNK).zip(&chunks).zip(&starts);
+        let parts: Vec<_> = parts
+            .map(|((offsets, chunk), &start)| {
+                let count = chunk.columns.len();
+                (
+                    offsets,
+                    chunk,
+                    start,
+                    split_off(&mut columns, count),
+                    split_off(&mut weights, count),
+                )
+            })
+            .collect();
+        parts.into_par_iter().for_each(|(offsets, chunk, start, columns, weights)| {
+            for (offset, end) in offsets.iter_mut().zip(&chunk.ends) {
+                *offset = start + end;
+            }
+            columns.copy_from_slice(&chunk.columns);
+            weights.copy_from_slice(&chunk.weights);
+        });
         matrix
     }
 
@@ -83,9 +101,10 @@ impl SubdivisionMatrix {
     /// Applies the step to points: one point a coarse vertex in, one a fine vertex out.
     pub fn apply<const N: usize>(&self, coarse: &[[f64; N]]) -> Vec<[f64; N]> {
         debug_assert_eq!(coarse.len(), self.coarse_vertices);
+        let zero = [0.0; N];
         let combine = |row| {
             let (columns, weights) = self.row(row);
-            let mut sum = [0.0; N];
+            let mut sum = zero;
             for (&column, &weight) in columns.iter().zip(weights) {
                 for (sum, value) in sum.iter_mut().zip(coarse[column as usize]) {
                     *sum += weight * value;
@@ -93,7 +112,10 @@ impl SubdivisionMatrix {
             }
             sum
         };
-        (0..self.rows()).into_par_iter().with_min_len(CHUNK).map(combine).collect()
+        let mut fine = filled(zero, self.rows());
+        let rows = fine.par_iter_mut().with_min_len(CHUNK).enumerate();
+        rows.for_each(|(row, value)| *value = combine(row));
+        fine
     }
 
     /// Applies the step to a field with `components` values a vertex, vertex
@@ -120,15 +142,45 @@ impl SubdivisionMatrix {
     }
 }
 
-/// The entries of one row while it is made; repeated columns add up.
-#[derive(Default)]
-pub(crate) struct Row {
-    entries: Vec<(u32, f64)>,
+/// The first `count` entries of a slice, which keeps the rest.
+fn split_off<'a, T>(slice: &mut &'a mut [T], count: usize) -> &'a mut [T] {
+    let (first, rest) = std::mem::take(slice).split_at_mut(count);
+    *slice = rest;
+    first
 }
 
-impl Row {
+/// One row while it is made, columns ascending; repeated columns add up in the
+/// order they come.
+pub(crate) struct Row<'a> {
+    columns: &'a mut Vec<u32>,
+    weights: &'a mut Vec<f64>,
+    start: usize,
+}
+
+impl Row<'_> {
+    /// Adds a weight; cheapest if columns come in ascending order.
+    #[inline]
     pub fn add(&mut self, column: u32, weight: f64) {
-        self.entries.push((column, weight));
+        let own = &self.columns[self.start..];
+        match own.last() {
+            Some(&last) if last >= column => {
+                let after = own.iter().rev().take_while(|&&other| other > column).count();
+                self.insert(self.columns.len() - after, column, weight);
+            }
+            _ => {
+                self.columns.push(column);
+                self.weights.push(weight);
+            }
+        }
+    }
+
+    fn insert(&mut self, at: usize, column: u32, weight: f64) {
+        if at > self.start && self.columns[at - 1] == column {
+            self.weights[at - 1] += weight;
+        } else {
+            self.columns.insert(at, column);
+            self.weights.insert(at, weight);
+        }
     }
 }
 
@@ -143,16 +195,10 @@ impl RowChunk {
     fn new(rows: std::ops::Range<usize>, fill: &impl Fn(usize, &mut Row)) -> Self {
         let mut chunk =
             Self { ends: Vec::with_capacity(rows.len()), columns: Vec::new(), weights: Vec::new() };
-        let mut row = Row::default();
         for number in rows {
-            row.entries.clear();
+            let start = chunk.columns.len();
+            let mut row = Row { columns: &mut chunk.columns, weights: &mut chunk.weights, start };
             fill(number, &mut row);
-            // Stable: repeated columns add up in the order they came.
-            row.entries.sort_by_key(|entry| entry.0);
-            for repeated in row.entries.chunk_by(|a, b| a.0 == b.0) {
-                chunk.columns.push(repeated[0].0);
-                chunk.weights.push(repeated.iter().map(|entry| entry.1).sum());
-            }
             chunk.ends.push(chunk.columns.len() as u32);
         }
         chunk

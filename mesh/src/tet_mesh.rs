@@ -1,7 +1,7 @@
 //! A mesh that has passed its check.
 
 use crate::raw_mesh::{Features, Group, RawMesh, Tagged};
-use crate::reference_tet::six_volumes;
+use crate::reference_tet::{corners, six_volumes};
 
 /// Points, ordered and positively oriented tets, a region per tet, tagged
 /// triangles, edges and vertices; immutable.
@@ -74,7 +74,7 @@ impl TetMesh {
 
     /// The positions of a tet's four vertices.
     pub fn corners(&self, tet: usize) -> [[f64; 3]; 4] {
-        self.raw.tets[tet].map(|v| self.raw.points[v as usize])
+        corners(&self.raw.points, self.raw.tets[tet])
     }
 
     /// The volume of one tet, in cubed mesh units; positive.

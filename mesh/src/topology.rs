@@ -6,7 +6,6 @@ mod from_simplices;
 mod vertex_edges;
 
 pub use edge_faces::EdgeFaces;
-pub(crate) use edge_faces::by_edge;
 pub use edge_tets::EdgeTets;
 pub use vertex_edges::VertexEdges;
 

@@ -6,11 +6,13 @@ use rayon::prelude::*;
 
 use super::edges::FineEdges;
 use super::faces::FineFaces;
-use super::slots::{CHILD_EDGES, CHILD_FACES, CUTS, DIAGONAL, EDGE_SLOTS, FACE_SLOTS, INNER};
-use super::{Parent, Parents};
+use super::slots::{
+    CHILD_EDGES, CHILD_FACES, CHILD_NODES, CUTS, DIAGONAL, EDGE_SLOTS, FACE_SLOTS, INNER,
+};
+use super::{Parent, Parents, Ranks};
 use crate::chunks::CHUNK;
 use crate::large_array::zeroed;
-use crate::reference_tet::{CHILDREN, EDGES, FACES};
+use crate::reference_tet::EDGES;
 
 /// Eight children a tet, in order.
 pub(super) struct Children {
@@ -32,27 +34,39 @@ impl Children {
             .enumerate();
         by_parent.for_each(|(tet, ((tets, child_edges), child_faces))| {
             let parent = parents.parent(tet);
-            let ranks = std::array::from_fn(|face| FACES[face].map(|v| parent.rank(face, v)));
+            let ranks = parent.ranks();
             let nodes = nodes(&parent, n);
-            *tets = CHILDREN.map(|child| child.map(|node| nodes[node]));
-            let slots = edge_slots(&parent, &ranks, edges);
-            *child_edges = CHILD_EDGES.map(|child| child.map(|slot| slots[usize::from(slot)]));
-            let slots = face_slots(&parent, &ranks, faces);
-            *child_faces = CHILD_FACES.map(|child| child.map(|slot| slots[usize::from(slot)]));
+            look_up(tets, &CHILD_NODES, &nodes);
+            look_up(child_edges, &CHILD_EDGES, &edge_slots(&parent, &ranks, edges));
+            look_up(child_faces, &CHILD_FACES, &face_slots(&parent, &ranks, faces));
         });
         made
+    }
+}
+
+/// The numbers behind the slots of all children. (Plain loops, here and below:
+/// nested maps of arrays are not inlined and cost several times as much.)
+#[inline]
+fn look_up<const N: usize, const SLOTS: usize>(
+    children: &mut [[u32; N]; 8],
+    table: &[[u8; N]; 8],
+    numbers: &[u32; SLOTS],
+) {
+    for (child, slots) in children.iter_mut().zip(table) {
+        for (number, &slot) in child.iter_mut().zip(slots) {
+            *number = numbers[usize::from(slot)];
+        }
     }
 }
 
 fn nodes(parent: &Parent, n: u32) -> [u32; 10] {
     let mut nodes = [0; 10];
     nodes[..4].copy_from_slice(&parent.vertices);
-    nodes[4..].copy_from_slice(&parent.edges.map(|edge| n + edge));
+    for (node, edge) in nodes[4..].iter_mut().zip(parent.edges) {
+        *node = n + edge;
+    }
     nodes
 }
-
-/// For each local face the places of its vertices in ascending order.
-type Ranks = [[usize; 3]; 4];
 
 fn edge_slots(parent: &Parent, ranks: &Ranks, fine: &FineEdges) -> [u32; EDGE_SLOTS] {
     let mut slots = [0; EDGE_SLOTS];
@@ -64,7 +78,7 @@ fn edge_slots(parent: &Parent, ranks: &Ranks, fine: &FineEdges) -> [u32; EDGE_SL
     for (face, ranks) in ranks.iter().enumerate() {
         let cuts = fine.cuts[parent.faces[face] as usize];
         for (corner, &rank) in ranks.iter().enumerate() {
-            slots[CUTS + 3 * face + corner] = cuts[rank];
+            slots[CUTS + 3 * face + corner] = cuts[usize::from(rank)];
         }
     }
     slots[DIAGONAL] = fine.diagonals[parent.tet];
@@ -77,7 +91,7 @@ fn face_slots(parent: &Parent, ranks: &Ranks, fine: &FineFaces) -> [u32; FACE_SL
         let number = parent.faces[face] as usize;
         let parts = fine.parts[number];
         for (corner, &rank) in ranks.iter().enumerate() {
-            slots[4 * face + corner] = parts[rank];
+            slots[4 * face + corner] = parts[usize::from(rank)];
         }
         slots[4 * face + 3] = fine.middles[number].load(Relaxed);
     }

@@ -6,10 +6,10 @@ use super::Parents;
 use crate::chunks::{self, CHUNK};
 use crate::groups::Groups;
 use crate::large_array::zeroed;
-use crate::topology::{Topology, VertexEdges, by_edge};
+use crate::topology::{EdgeFaces, Topology, VertexEdges};
 
 /// The fine edges, and where each coarse edge, face and tet finds its own.
-pub(super) struct FineEdges {
+pub(super) struct FineEdges<'a> {
     pub edges: Vec<[u32; 2]>,
     pub first_edges: Vec<u32>,
     /// For each coarse edge the halves at its lower and higher end.
@@ -18,7 +18,7 @@ pub(super) struct FineEdges {
     pub cuts: Vec<[u32; 3]>,
     /// For each tet its inner diagonal.
     pub diagonals: Vec<u32>,
-    pub inner: InnerEdges,
+    pub inner: InnerEdges<'a>,
 }
 
 /// The inner edges (n + e, n + e') by the smaller coarse edge e.
@@ -27,11 +27,11 @@ pub(super) struct FineEdges {
 /// (a, b, c), then one to each xb of the faces (a, x, b), then one to each bc of
 /// the faces (a, b, c); and among the latter two the diagonals to edges opposite
 /// to e.
-pub(super) struct InnerEdges {
+pub(super) struct InnerEdges<'a> {
     /// The first one of each coarse edge, counted from the first inner edge.
     pub firsts: Vec<u32>,
-    /// The faces that each coarse edge is the middle edge of.
-    pub middle_of: Groups<u32>,
+    /// The faces at each coarse edge.
+    pub edge_faces: &'a EdgeFaces<'a>,
     /// For each coarse edge the greater edges opposite to it, with the tet
     /// whose diagonal joins them, ascending.
     diagonals: Groups<(u32, u32)>,
@@ -46,24 +46,24 @@ pub(super) enum Inner {
     Diagonal { tet: u32 },
 }
 
-impl InnerEdges {
-    fn new(parents: &Parents) -> Self {
+impl<'a> InnerEdges<'a> {
+    fn new(parents: &Parents, edge_faces: &'a EdgeFaces<'a>) -> Self {
         let coarse = parents.topology;
-        let middle_of = by_edge(coarse, 1);
         let diagonal = |tet: usize| {
             let [low, high] = parents.split_pair(tet);
             [(low, (high, tet as u32))]
         };
         let diagonals = Groups::new(coarse.edges.len(), parents.tets.len(), diagonal).sort();
         let count = |edge: usize| {
-            let faces = 2 * coarse.faces_from(edge as u32).len() + middle_of.of(edge).len();
+            let faces =
+                2 * coarse.faces_from(edge as u32).len() + edge_faces.middle(edge as u32).len();
             (faces + diagonals.of(edge).len()) as u32
         };
         let mut firsts = zeroed(coarse.edges.len() + 1);
         let counts = firsts[1..].par_iter_mut().with_min_len(CHUNK).enumerate();
         counts.for_each(|(edge, slot)| *slot = count(edge));
         chunks::accumulate(&mut firsts);
-        Self { firsts, middle_of, diagonals }
+        Self { firsts, edge_faces, diagonals }
     }
 
     /// The inner edges of a coarse edge e, in order: e' and where it comes from.
@@ -73,7 +73,7 @@ impl InnerEdges {
             each(coarse.face_edges[face as usize][1], Inner::Cut { face, corner: 0 });
         }
         let mut diagonals = self.diagonals.of(edge as usize);
-        let middle = self.middle_of.of(edge as usize).iter().map(|&face| (face, 2));
+        let middle = self.edge_faces.middle(edge).iter().map(|&face| (face, 2));
         for (face, corner) in middle.chain(from.map(|face| (face, 1))) {
             let other = coarse.face_edges[face as usize][2];
             while let Some((&(high, tet), rest)) = diagonals.split_first()
@@ -93,13 +93,13 @@ impl InnerEdges {
         let [at_ab, at_ac] = [ab, ac].map(|edge| self.firsts[edge as usize]);
         let [from_ab, from_ac] = [ab, ac].map(|edge| coarse.faces_from(edge).len() as u32);
         let place = face - coarse.first_faces[ab as usize];
-        let middle = self.middle_of.of(ac as usize);
+        let middle = self.edge_faces.middle(ac);
         let rank = middle.iter().take_while(|&&other| other < face).count() as u32;
         let diagonals_before = |edge: u32| {
             let diagonals = self.diagonals.of(edge as usize).iter();
             diagonals.take_while(|&&(high, _)| high < bc).count() as u32
         };
-        let after_middle = from_ab + self.middle_of.of(ab as usize).len() as u32;
+        let after_middle = from_ab + self.edge_faces.middle(ab).len() as u32;
         [
             at_ab + place,
             at_ab + after_middle + place + diagonals_before(ab),
@@ -108,11 +108,15 @@ impl InnerEdges {
     }
 }
 
-impl FineEdges {
-    pub fn new(parents: &Parents, vertex_edges: &VertexEdges) -> Self {
+impl<'a> FineEdges<'a> {
+    pub fn new(
+        parents: &Parents,
+        vertex_edges: &VertexEdges,
+        edge_faces: &'a EdgeFaces<'a>,
+    ) -> Self {
         let coarse = parents.topology;
         let (n, half_count) = (coarse.vertex_count() as u32, 2 * coarse.edges.len() as u32);
-        let inner = InnerEdges::new(parents);
+        let inner = InnerEdges::new(parents, edge_faces);
         let total = half_count + inner.firsts[coarse.edges.len()];
         let mut edges: Vec<[u32; 2]> = zeroed(total as usize);
         let (halves, inner_edges) = edges.split_at_mut(half_count as usize);
@@ -121,7 +125,6 @@ impl FineEdges {
                 .flat_map(|v| vertex_edges.of(v).iter().map(move |&e| [v as u32, n + e]));
             halves.iter_mut().zip(ends).for_each(|(half, ends)| *half = ends);
         });
-        // Only its tet knows a diagonal, so each chunk also tells of those it met.
         chunks::for_each(&inner.firsts, inner_edges, |first, last, edges| {
             let mut slots = edges.iter_mut();
             for edge in first as u32..last as u32 {

@@ -10,7 +10,7 @@ use super::slots::{
 };
 use super::{Parent, Parents};
 use crate::chunks::{self, CHUNK};
-use crate::large_array::zeroed;
+use crate::large_array::{defaults, zeroed};
 use crate::topology::{NONE, VertexEdges};
 
 /// The fine faces, and where each coarse face and tet finds its own.
@@ -42,7 +42,69 @@ struct Last {
 
 const MIDDLE: u8 = u8::MAX;
 
-/// At most the middle of a coarse face and two faces in each of its tets.
+/// The faces whose first edge is the inner edge between the midpoints of the
+/// coarse edges p < q; at most the middle of a coarse face and two faces in
+/// each of its tets.
+#[inline]
+fn for_each_last(parents: &Parents, [p, q]: [u32; 2], from: Inner, mut each: impl FnMut(Last)) {
+    match from {
+        Inner::Cut { face, corner } => {
+            if corner == 0 {
+                let edge = parents.topology.face_edges[face as usize][2];
+                each(Last { edge, place: face, index: MIDDLE, ..Last::default() });
+            }
+            for tet in parents.topology.face_tets[face as usize] {
+                if tet != NONE {
+                    beside_cut(&parents.parent(tet as usize), [p, q], &mut each);
+                }
+            }
+        }
+        Inner::Diagonal { tet } => {
+            let parent = parents.parent(tet as usize);
+            let local = if parent.edges[1] == p { [1, 4] } else { [4, 1] };
+            for m in [0, 2, 3, 5] {
+                inner_last(&parent, q, local, m, beside_diagonal(m), &mut each);
+            }
+        }
+    }
+}
+
+/// The face that cuts off the corner, and that at the diagonal if one of the
+/// edges is marked.
+#[inline]
+fn beside_cut(parent: &Parent, [p, q]: [u32; 2], each: &mut impl FnMut(Last)) {
+    let (mut lp, mut lq) = (0, 0);
+    for (local, &edge) in parent.edges.iter().enumerate() {
+        lp = if edge == p { local } else { lp };
+        lq = if edge == q { local } else { lq };
+    }
+    let between = BETWEEN[lp][lq];
+    inner_last(parent, q, [lp, lq], between.third.into(), between.corner.into(), each);
+    if is_marked(lp) {
+        inner_last(parent, q, [lp, lq], 5 - lp, beside_diagonal(lq), each);
+    } else if is_marked(lq) {
+        inner_last(parent, q, [lp, lq], 5 - lq, beside_diagonal(lp), each);
+    }
+}
+
+/// An inner face, if its third edge is the last.
+#[inline]
+fn inner_last(
+    parent: &Parent,
+    q: u32,
+    [lp, lq]: [usize; 2],
+    third: usize,
+    index: usize,
+    each: &mut impl FnMut(Last),
+) {
+    let edge = parent.edges[third];
+    if edge > q {
+        let local = [lp as u8, lq as u8, third as u8];
+        each(Last { edge, place: parent.tet as u32, index: index as u8, local });
+    }
+}
+
+/// A few faces, sorted as they come.
 #[derive(Default)]
 struct Lasts {
     list: [Last; 5],
@@ -50,74 +112,14 @@ struct Lasts {
 }
 
 impl Lasts {
-    fn push(&mut self, last: Last) {
-        self.list[self.count] = last;
+    fn insert(&mut self, last: Last) {
+        let mut at = self.count;
+        while at > 0 && self.list[at - 1].edge > last.edge {
+            self.list[at] = self.list[at - 1];
+            at -= 1;
+        }
+        self.list[at] = last;
         self.count += 1;
-    }
-
-    /// The faces whose first edge is the inner edge between the midpoints of
-    /// the coarse edges p < q.
-    fn new(parents: &Parents, [p, q]: [u32; 2], from: Inner) -> Self {
-        let mut lasts = Self::default();
-        match from {
-            Inner::Cut { face, corner } => {
-                if corner == 0 {
-                    let edge = parents.topology.face_edges[face as usize][2];
-                    lasts.push(Last { edge, place: face, index: MIDDLE, ..Last::default() });
-                }
-                for tet in parents.topology.face_tets[face as usize] {
-                    if tet != NONE {
-                        lasts.add_beside_cut(&parents.parent(tet as usize), [p, q]);
-                    }
-                }
-            }
-            Inner::Diagonal { tet } => {
-                let parent = parents.parent(tet as usize);
-                let local = if parent.edges[1] == p { [1, 4] } else { [4, 1] };
-                [0, 2, 3, 5]
-                    .into_iter()
-                    .for_each(|m| lasts.add(&parent, q, local, m, beside_diagonal(m)));
-            }
-        }
-        lasts
-    }
-
-    /// The face that cuts off the corner, and that at the diagonal if one of
-    /// the edges is marked.
-    fn add_beside_cut(&mut self, parent: &Parent, [p, q]: [u32; 2]) {
-        let local = |edge: u32| {
-            let found = parent.edges.iter().position(|&own| own == edge);
-            found.expect("a tet has the edges of its faces")
-        };
-        let (lp, lq) = (local(p), local(q));
-        let between = BETWEEN[lp][lq];
-        self.add(parent, q, [lp, lq], between.third.into(), between.corner.into());
-        if is_marked(lp) {
-            self.add(parent, q, [lp, lq], 5 - lp, beside_diagonal(lq));
-        } else if is_marked(lq) {
-            self.add(parent, q, [lp, lq], 5 - lq, beside_diagonal(lp));
-        }
-    }
-
-    /// Adds an inner face if its third edge is the last.
-    fn add(&mut self, parent: &Parent, q: u32, [lp, lq]: [usize; 2], third: usize, index: usize) {
-        let edge = parent.edges[third];
-        if edge > q {
-            let local = [lp, lq, third].map(|edge| edge as u8);
-            self.push(Last { edge, place: parent.tet as u32, index: index as u8, local });
-        }
-    }
-
-    fn sorted(&mut self) -> &[Last] {
-        let list = &mut self.list[..self.count];
-        for i in 1..list.len() {
-            let mut j = i;
-            while j > 0 && list[j - 1].edge > list[j].edge {
-                list.swap(j - 1, j);
-                j -= 1;
-            }
-        }
-        list
     }
 }
 
@@ -135,8 +137,8 @@ impl FineFaces {
             face_tets: zeroed(count),
             first_faces,
             parts: zeroed(coarse.faces.len()),
-            middles: (0..coarse.faces.len()).into_par_iter().map(|_| AtomicU32::new(0)).collect(),
-            inner: (0..parents.tets.len()).into_par_iter().map(|_| Default::default()).collect(),
+            middles: defaults(coarse.faces.len()),
+            inner: defaults(parents.tets.len()),
         };
         let firsts = &made.first_faces;
         let half_count = 2 * coarse.edges.len();
@@ -175,8 +177,7 @@ fn first_faces(parents: &Parents, fine: &FineEdges, vertex_edges: &VertexEdges) 
         for v in first..last {
             for (&edge, count) in vertex_edges.of(v).iter().zip(&mut counts) {
                 let ends_here = coarse.edges[edge as usize][1] == v as u32;
-                let middle =
-                    if ends_here { fine.inner.middle_of.of(edge as usize).len() } else { 0 };
+                let middle = if ends_here { fine.inner.edge_faces.middle(edge).len() } else { 0 };
                 *count = (middle + coarse.faces_from(edge).len()) as u32;
             }
         }
@@ -186,7 +187,7 @@ fn first_faces(parents: &Parents, fine: &FineEdges, vertex_edges: &VertexEdges) 
         for edge in first as u32..last as u32 {
             fine.inner.of(coarse, edge, |other, from| {
                 let count = counts.next().expect("as many as counted");
-                *count = Lasts::new(parents, [edge, other], from).count as u32;
+                for_each_last(parents, [edge, other], from, |_| *count += 1);
             });
         }
     });
@@ -199,11 +200,11 @@ fn corner_parts(parents: &Parents, fine: &FineEdges, firsts: &[u32], face: u32) 
     let coarse = parents.topology;
     let [ab, ac, _] = coarse.face_edges[face as usize];
     let place = face - coarse.first_faces[ab as usize];
-    let middle = fine.inner.middle_of.of(ac as usize);
+    let middle = fine.inner.edge_faces.middle(ac);
     let rank = middle.iter().take_while(|&&other| other < face).count() as u32;
     let [at_a, at_b] = fine.halves[ab as usize].map(|half| firsts[half as usize]);
     let at_c = firsts[fine.halves[ac as usize][1] as usize];
-    [at_a + place, at_b + fine.inner.middle_of.of(ab as usize).len() as u32 + place, at_c + rank]
+    [at_a + place, at_b + fine.inner.edge_faces.middle(ab).len() as u32 + place, at_c + rank]
 }
 
 struct Writer<'a, 'b> {
@@ -224,7 +225,7 @@ impl Writer<'_, '_> {
 /// Makes the faces in order.
 struct Maker<'a> {
     parents: &'a Parents<'a>,
-    fine: &'a FineEdges,
+    fine: &'a FineEdges<'a>,
     middles: &'a [AtomicU32],
     inner: &'a [[AtomicU32; 8]],
 }
@@ -237,7 +238,7 @@ impl Maker<'_> {
         for &edge in vertex_edges.of(v) {
             let ends_here = coarse.edges[edge as usize][1] == v as u32;
             if ends_here {
-                for &face in self.fine.inner.middle_of.of(edge as usize) {
+                for &face in self.fine.inner.edge_faces.middle(edge) {
                     self.corner_face(face, 2, v as u32, writer);
                 }
             }
@@ -252,7 +253,10 @@ impl Maker<'_> {
         let coarse = self.parents.topology;
         let n = coarse.vertex_count() as u32;
         let sides = coarse.face_edges[face as usize];
-        let ([i, j], ends) = ([([0, 1], [0, 0]), ([0, 2], [1, 0]), ([1, 2], [1, 1])])[corner];
+        // Its edges at the corner, and whether the corner is their higher end.
+        const SIDES: [([usize; 2], [usize; 2]); 3] =
+            [([0, 1], [0, 0]), ([0, 2], [1, 0]), ([1, 2], [1, 1])];
+        let ([i, j], ends) = SIDES[corner];
         let [low, high] = [i, j].map(|side: usize| sides[side]);
         let halves = [low, high].map(|edge| self.fine.halves[edge as usize]);
         let edges = [halves[0][ends[0]], halves[1][ends[1]], self.fine.cuts[face as usize][corner]];
@@ -274,9 +278,11 @@ impl Maker<'_> {
         let half_count = 2 * coarse.edges.len() as u32;
         let mut number = half_count + self.fine.inner.firsts[edge as usize];
         self.fine.inner.of(coarse, edge, |other, from| {
-            for last in Lasts::new(self.parents, [edge, other], from).sorted() {
+            let mut lasts = Lasts::default();
+            for_each_last(self.parents, [edge, other], from, |last| lasts.insert(last));
+            for last in &lasts.list[..lasts.count] {
                 let face = base + writer.at as u32;
-                let vertices = [edge, other, last.edge].map(|edge| n + edge);
+                let vertices = [n + edge, n + other, n + last.edge];
                 let (edges, tets) = if last.index == MIDDLE {
                     self.middles[last.place as usize].store(face, Relaxed);
                     self.middle_face(last.place)
@@ -293,27 +299,36 @@ impl Maker<'_> {
     /// The second and third edge of the middle of a face, and its tets.
     fn middle_face(&self, face: u32) -> ([u32; 2], [u32; 2]) {
         let [_, second, third] = self.fine.cuts[face as usize];
-        let tets = self.parents.topology.face_tets[face as usize].map(|tet| match tet {
-            NONE => NONE,
-            tet => {
-                let faces = self.parents.parent(tet as usize).faces;
-                let local = faces.iter().position(|&own| own == face).unwrap_or(0);
-                8 * tet + MIDDLE_CHILD[local]
-            }
-        });
+        let mut tets = self.parents.topology.face_tets[face as usize];
+        for tet in tets.iter_mut().filter(|tet| **tet != NONE) {
+            let faces = self.parents.parent(*tet as usize).faces;
+            *tet = 8 * *tet + MIDDLE_CHILD[place_of(face, &faces) as usize];
+        }
         ([second, third], tets)
     }
 
     /// The second and third edge of a face inside a tet, and its tets.
     fn inner_face(&self, last: &Last) -> ([u32; 2], [u32; 2]) {
         let parent = self.parents.parent(last.place as usize);
-        let [p, q, r] = last.local.map(usize::from);
-        let edges = [p, q].map(|edge| self.fine.between(&parent, edge, r));
-        (edges, INNER_CHILDREN[usize::from(last.index)].map(|child| 8 * last.place + child))
+        let [p, q, r] = last.local;
+        let second = self.fine.between(&parent, p.into(), r.into());
+        let third = self.fine.between(&parent, q.into(), r.into());
+        let [low, high] = INNER_CHILDREN[usize::from(last.index)];
+        ([second, third], [8 * last.place + low, 8 * last.place + high])
     }
 }
 
-impl FineEdges {
+/// Where a number stands among four.
+#[inline]
+fn place_of(number: u32, four: &[u32; 4]) -> u32 {
+    let mut place = 0;
+    for (at, &other) in four.iter().enumerate() {
+        place = if other == number { at as u32 } else { place };
+    }
+    place
+}
+
+impl FineEdges<'_> {
     /// The edge between the midpoints of two local edges of a tet.
     fn between(&self, parent: &Parent, p: usize, q: usize) -> u32 {
         let between = BETWEEN[p][q];

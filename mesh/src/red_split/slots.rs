@@ -16,6 +16,9 @@ pub const DIAGONAL: usize = 24;
 pub const FACE_SLOTS: usize = 24;
 pub const INNER: usize = 16;
 
+/// The nodes of each child, [`CHILDREN`] in bytes.
+pub const CHILD_NODES: [[u8; 4]; 8] = child_nodes();
+
 /// The slots of each child's edges, in the order of [`EDGES`].
 pub const CHILD_EDGES: [[u8; 6]; 8] = child_edges();
 
@@ -122,6 +125,20 @@ const fn inner_or_middle([p, q, r]: [usize; 3]) -> usize {
         (Some(a), Some(b), Some(c)) if a == b && b == c => INNER + a,
         (Some(a), Some(b), Some(c)) => 4 * (6 - a - b - c) + 3,
     }
+}
+
+const fn child_nodes() -> [[u8; 4]; 8] {
+    let mut nodes = [[0; 4]; 8];
+    let mut child = 0;
+    while child < 8 {
+        let mut place = 0;
+        while place < 4 {
+            nodes[child][place] = CHILDREN[child][place] as u8;
+            place += 1;
+        }
+        child += 1;
+    }
+    nodes
 }
 
 const fn child_edges() -> [[u8; 6]; 8] {

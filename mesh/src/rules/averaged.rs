@@ -29,7 +29,7 @@ pub(crate) fn edge(near: &Neighbourhoods, edge: u32, row: &mut Row) {
     let octets = near.octets();
     if octets.is_diagonal(edge) {
         add_ends(near, edge, 1.0 / 6.0, row);
-        near.link_twice(edge).for_each(|v| row.add(v, 1.0 / 12.0));
+        near.link(edge).for_each(|v| row.add(v, 1.0 / 6.0));
         return;
     }
     let ring = octets.ring(near, edge);

@@ -18,10 +18,9 @@ pub(crate) fn vertex(near: &Neighbourhoods, vertex: u32, row: &mut Row) {
 /// The first holds for every interior edge of four tets, regular or not: this
 /// is what reproduces the published eigenvalues.
 pub(crate) fn edge(near: &Neighbourhoods, edge: u32, row: &mut Row) {
-    let tets = near.round(edge).len();
+    let tets = near.valence(edge);
     let (end, link) =
         if tets == 4 { (1.0 / 4.0, 1.0 / 8.0) } else { (5.0 / 16.0, 3.0 / (8.0 * tets as f64)) };
+    near.link(edge).for_each(|vertex| row.add(vertex, link));
     add_ends(near, edge, end, row);
-    // Each link vertex comes twice.
-    near.link_twice(edge).for_each(|vertex| row.add(vertex, 0.5 * link));
 }

@@ -16,9 +16,8 @@ pub(crate) fn edge(near: &Neighbourhoods, edge: u32, w: f64, marked: MarkedRule,
     }
     add_ends(near, edge, 0.5, row);
     let apexes = near.apexes(edge);
-    let n = near.round(edge).len() as f64;
-    let link = apexes.len() as f64 / n * w;
-    near.link_twice(edge).for_each(|vertex| row.add(vertex, 0.5 * link));
+    let link = apexes.len() as f64 / near.valence(edge) as f64 * w;
+    near.link(edge).for_each(|vertex| row.add(vertex, link));
     for apex in apexes {
         apex.into_iter().for_each(|(vertex, weight)| row.add(vertex, -w * weight));
     }
@@ -33,13 +32,12 @@ pub(crate) fn edge(near: &Neighbourhoods, edge: u32, w: f64, marked: MarkedRule,
 fn plane_butterfly(near: &Neighbourhoods, edge: u32, w: f64, row: &mut Row) {
     let [a, b] = near.ends(edge);
     add_ends(near, edge, 0.5, row);
-    near.link_twice(edge).for_each(|vertex| row.add(vertex, 0.5 * w));
-    // Each link vertex comes twice: half of w/2 each time.
-    for c in near.link_twice(edge) {
+    near.link(edge).for_each(|vertex| row.add(vertex, w));
+    for c in near.link(edge) {
         for (end, other) in [(a, b), (b, a)] {
             near.solid_wing([end, c], other)
                 .into_iter()
-                .for_each(|(vertex, weight)| row.add(vertex, -0.25 * w * weight));
+                .for_each(|(vertex, weight)| row.add(vertex, -0.5 * w * weight));
         }
     }
 }

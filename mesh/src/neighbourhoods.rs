@@ -2,6 +2,8 @@
 
 use std::sync::OnceLock;
 
+use smallvec::{SmallVec, smallvec};
+
 use crate::octets::Octets;
 use crate::raw_mesh::{Features, RawMesh};
 use crate::reference_tet::{EDGES, MARKED, opposite_ends};
@@ -11,7 +13,10 @@ use crate::topology::{EdgeFaces, EdgeTets, NONE, Topology, VertexEdges, ascendin
 
 /// A vertex, or a combination of vertices that stands for a missing one; the
 /// weights sum to one.
-pub(crate) type Combination = Vec<(u32, f64)>;
+pub(crate) type Combination = SmallVec<[(u32, f64); 4]>;
+
+/// A list that is short except round extraordinary edges.
+pub(crate) type Short<T> = SmallVec<[T; 12]>;
 
 /// A mesh with the incidences and strata that rows are made from.
 pub(crate) struct Neighbourhoods<'a> {
@@ -97,7 +102,7 @@ impl<'a> Neighbourhoods<'a> {
     }
 
     /// The link vertices of an interior edge in cyclic order, from `first` on.
-    pub fn cyclic_link(&self, edge: u32, first: u32) -> Vec<u32> {
+    pub fn cyclic_link(&self, edge: u32, first: u32) -> Short<u32> {
         ring(self.round(edge).iter().map(|&slot| self.link_edge(slot)).collect(), first)
     }
 
@@ -117,7 +122,7 @@ impl<'a> Neighbourhoods<'a> {
 
     /// The neighbours on the surface round a vertex in cyclic order, from
     /// `first` on, if there are other than six and no curve cuts the ring.
-    pub fn extraordinary_ring(&self, centre: u32, first: u32) -> Option<Vec<u32>> {
+    pub fn extraordinary_ring(&self, centre: u32, first: u32) -> Option<Short<u32>> {
         let neighbours = self.strata.surface_neighbours(centre);
         let smooth = self.strata.vertex_dimensions[centre as usize] == 2;
         if !smooth || neighbours.len() == 6 || neighbours.len() < 3 {
@@ -128,7 +133,7 @@ impl<'a> Neighbourhoods<'a> {
                 self.topology.edge_between(centre, neighbour).expect("neighbours share an edge");
             self.strata.opposite_vertices(edge).iter().map(move |&c| ascending([neighbour, c]))
         };
-        let mut links: Vec<[u32; 2]> = neighbours.iter().flat_map(opposite).collect();
+        let mut links: Short<[u32; 2]> = neighbours.iter().flat_map(opposite).collect();
         links.sort_unstable();
         links.dedup();
         Some(ring(links, first))
@@ -141,7 +146,7 @@ impl<'a> Neighbourhoods<'a> {
         let across = self.strata.opposite_vertices(edge).iter().copied().find(|&v| v != other);
         let smooth = self.strata.edge_dimensions[edge as usize] == 2;
         match across.filter(|_| smooth) {
-            Some(vertex) => vec![(vertex, 1.0)],
+            Some(vertex) => smallvec![(vertex, 1.0)],
             None => ghost([a, c], other),
         }
         .into_iter()
@@ -157,9 +162,9 @@ impl<'a> Neighbourhoods<'a> {
         let link = self.cyclic_link(edge, other);
         let k = link.len();
         if k.is_multiple_of(2) {
-            vec![(link[k / 2], 1.0)]
+            smallvec![(link[k / 2], 1.0)]
         } else {
-            vec![(link[k / 2], 0.5), (link[k / 2 + 1], 0.5)]
+            smallvec![(link[k / 2], 0.5), (link[k / 2 + 1], 0.5)]
         }
     }
 
@@ -169,8 +174,8 @@ impl<'a> Neighbourhoods<'a> {
     /// Behind a face on a surface stands the vertex that the regular lattice
     /// has there: x(i−1) + x(i+1) − x(i) for the face opposite x(i). Ghosts of
     /// the same marked edge and vertex count once.
-    pub fn apexes(&self, edge: u32) -> Vec<Combination> {
-        let mut keys: Vec<[u32; 3]> = Vec::new();
+    pub fn apexes(&self, edge: u32) -> Short<Combination> {
+        let mut keys: Short<[u32; 3]> = Short::new();
         for &slot in self.round(edge) {
             let (tet, local) = (slot as usize / 6, slot as usize % 6);
             for end in EDGES[local] {
@@ -181,7 +186,7 @@ impl<'a> Neighbourhoods<'a> {
             }
         }
         keys.into_iter()
-            .map(|[a, c, x]| if c == NONE { vec![(a, 1.0)] } else { ghost([a, c], x) })
+            .map(|[a, c, x]| if c == NONE { smallvec![(a, 1.0)] } else { ghost([a, c], x) })
             .collect()
     }
 
@@ -203,13 +208,13 @@ impl<'a> Neighbourhoods<'a> {
 
 /// The reflection of a vertex in the midpoint of an edge: a + c − other.
 fn ghost([a, c]: [u32; 2], other: u32) -> Combination {
-    vec![(a, 1.0), (c, 1.0), (other, -1.0)]
+    smallvec![(a, 1.0), (c, 1.0), (other, -1.0)]
 }
 
 /// The vertices of closed link edges in cyclic order from `first` on, the
 /// direction fixed by the first listed edge at it.
-fn ring(mut links: Vec<[u32; 2]>, first: u32) -> Vec<u32> {
-    let mut ring = vec![first];
+fn ring(mut links: Short<[u32; 2]>, first: u32) -> Short<u32> {
+    let mut ring: Short<u32> = smallvec![first];
     let mut at = first;
     while let Some(found) = links.iter().position(|link| link.contains(&at)) {
         let [a, b] = links.swap_remove(found);

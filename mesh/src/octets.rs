@@ -1,6 +1,6 @@
 //! Tetrahedral and octahedral cells of the octet truss behind a refined mesh.
 
-use crate::neighbourhoods::Neighbourhoods;
+use crate::neighbourhoods::{Neighbourhoods, Short};
 use crate::raw_mesh::RawMesh;
 use crate::strata::Incidence;
 use crate::topology::{NONE, Topology};
@@ -22,9 +22,9 @@ struct Octahedron {
 /// The vertices round an edge of the truss.
 pub(crate) struct Ring {
     /// Joined to both ends by edges of the truss inside a common cell; distinct.
-    pub hard: Vec<u32>,
+    pub hard: Short<u32>,
     /// Opposite to an end across an octahedron: two for each octahedron.
-    pub soft: Vec<u32>,
+    pub soft: Short<u32>,
 }
 
 impl Octets {
@@ -75,8 +75,8 @@ impl Octets {
     /// The vertices round an edge of the truss.
     pub fn ring(&self, near: &Neighbourhoods, edge: u32) -> Ring {
         let ends = near.ends(edge);
-        let mut octahedra: Vec<u32> = Vec::new();
-        let mut ring = Ring { hard: Vec::new(), soft: Vec::new() };
+        let mut octahedra: Short<u32> = Short::new();
+        let mut ring = Ring { hard: Short::new(), soft: Short::new() };
         let mut add_hard = |vertex: u32| {
             if !ring.hard.contains(&vertex) {
                 ring.hard.push(vertex);
@@ -108,7 +108,7 @@ impl Octahedron {
             return None;
         }
         let cycle = near.cyclic_link(diagonal, near.link_edge(first)[0]);
-        Some(Self { poles: near.ends(diagonal), cycle: cycle.try_into().ok()? })
+        Some(Self { poles: near.ends(diagonal), cycle: cycle[..].try_into().ok()? })
     }
 
     fn vertices(&self) -> impl Iterator<Item = u32> {

@@ -24,6 +24,10 @@ pub struct Field {
     pub components: usize,
     /// The values, `components` × tuples of them.
     pub values: Values,
+    /// Whether the values were computed from the mesh, as a quality is, and so say
+    /// nothing about another one: refining leaves such a field out. VTU files keep
+    /// this flag.
+    pub derived: bool,
 }
 
 /// The values of a field. Narrower types of a file are widened, which loses nothing.
@@ -51,9 +55,19 @@ impl Values {
 }
 
 impl Field {
+    /// A field of data, not derived from the mesh.
+    pub fn new(name: impl Into<String>, components: usize, values: Values) -> Self {
+        Self { name: name.into(), components, values, derived: false }
+    }
+
     /// A scalar field of floating-point values.
     pub fn scalar(name: impl Into<String>, values: Vec<f64>) -> Self {
-        Self { name: name.into(), components: 1, values: Values::Float(values) }
+        Self::new(name, 1, Values::Float(values))
+    }
+
+    /// A scalar field of values computed from the mesh.
+    pub fn derived(name: impl Into<String>, values: Values) -> Self {
+        Self { derived: true, ..Self::new(name, 1, values) }
     }
 
     /// How many tuples the field has.
@@ -71,7 +85,7 @@ impl Field {
             Values::Float(values) => Values::Float(pick(values, self.components, kept)),
             Values::Integer(values) => Values::Integer(pick(values, self.components, kept)),
         };
-        Self { name: self.name.clone(), components: self.components, values }
+        Self { values, name: self.name.clone(), ..*self }
     }
 }
 
@@ -105,7 +119,7 @@ fn check_fields(fields: &[Field], tuples: usize, of: &str) -> Result<(), String>
     if let Some(pair) = names.windows(2).find(|pair| pair[0] == pair[1]) {
         return Err(format!("two fields of the {of} are called `{}`; rename one", pair[0]));
     }
-    for Field { name, components, values } in fields {
+    for Field { name, components, values, .. } in fields {
         if *components == 0 || Some(values.len()) != components.checked_mul(tuples) {
             return Err(format!(
                 "the field `{name}` has {} values, not {components} for each of {tuples} {of}",

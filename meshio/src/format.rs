@@ -14,7 +14,8 @@ pub enum Format {
     Gmsh,
     /// VTK's XML format for unstructured grids, `.vtu`: holds all of a dataset.
     Vtu,
-    /// VTK's older format, `.vtk`: holds no group names and no features.
+    /// VTK's older format, `.vtk`: holds no group names, no features, and not which
+    /// fields are derived.
     LegacyVtk,
 }
 

@@ -60,7 +60,7 @@ pub fn read(scanner: &mut Scanner, target: &Target) -> Result<Option<FieldStep>,
         return Ok(None);
     }
     let missing = given.iter().filter(|&&given| !given).count();
-    let field = Field { name: header.name, components, values: Values::Float(values) };
+    let field = Field::new(header.name, components, Values::Float(values));
     Ok(Some(FieldStep { field, step: header.step, missing }))
 }
 

@@ -306,3 +306,29 @@ fn surfaces_go_beside_the_mesh_with_the_points_they_use() {
     assert_eq!(found.point_fields, [Field::scalar("x", x(&found))]);
     assert_eq!(found.mesh.group_names(2), ["x0", "x1", "y0", "y1", "z0", "z1"]);
 }
+
+#[test]
+fn features_become_vertices_and_lines_with_their_reasons() {
+    use octruss_mesh::{FeatureOptions, FeatureReasons, Hierarchy};
+    let options = FeatureOptions::default();
+    let cube = Hierarchy::new(shapes::kuhn_cube(2), &options);
+    let (mesh, topology) = (&cube.meshes[0], &cube.topologies[0]);
+    let reasons = FeatureReasons::new(mesh, topology, Some(&options));
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("features.vtu");
+    vtu::write_features(&path, mesh, &reasons).unwrap();
+    let found = vtu::read(&path).unwrap();
+    // The 8 corners and 12 edges of the cube, two mesh edges each; cells without
+    // tags are no part of a mesh.
+    assert_eq!(found.mesh.points.len(), 20);
+    assert!(found.mesh.points.iter().all(|p| p.iter().filter(|x| **x == 0.5).count() <= 1));
+    assert_eq!(found.notes, ["32 triangles, lines or vertices without a tag were left out."]);
+    assert_eq!(found.mesh.group_names(0), ["curves-meet"]);
+    assert_eq!(found.mesh.group_names(1), ["group-border"]);
+
+    vtu::write_features(&path, mesh, &FeatureReasons::default()).unwrap();
+    assert_eq!(vtu::read(&path).unwrap(), Dataset::default());
+    // Those of a larger mesh.
+    let refused = vtu::write_features(&path, &shapes::regular_tet(), &reasons).unwrap_err();
+    assert!(refused.to_string().contains("a feature has the vertex 26, but there are 4"));
+}

@@ -37,11 +37,14 @@ impl Check {
         let options = CheckOptions { reorient: self.reorient };
         let Checked { mesh, findings, kept_vertices } = octruss_mesh::check(dataset.mesh, &options)
             .map_err(|source| Error::Unsound { path: state.path.clone(), source })?;
+        // What was computed from this mesh would not hold on a finer one.
+        let data = |fields: Vec<Field>| fields.into_iter().filter(|field| !field.derived);
+        let point_fields = data(dataset.point_fields);
         state.point_fields = match kept_vertices {
-            Some(kept) => dataset.point_fields.iter().map(|field| subset(field, &kept)).collect(),
-            None => dataset.point_fields,
+            Some(kept) => point_fields.map(|field| subset(&field, &kept)).collect(),
+            None => point_fields.collect(),
         };
-        state.cell_fields = dataset.cell_fields;
+        state.cell_fields = data(dataset.cell_fields).collect();
         let report = CheckReport {
             vertices: mesh.points().len(),
             tets: mesh.tets().len(),

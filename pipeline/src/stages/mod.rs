@@ -1,9 +1,11 @@
 //! The steps of a run: one file each, with its options, what it does and what
 //! it reports.
 
+mod carried_fields;
 mod check;
 mod groups;
 mod import;
+mod jumps;
 mod multigrid;
 mod poisson;
 mod solve;
@@ -16,12 +18,15 @@ use std::path::Path;
 use serde::{Deserialize, Serialize};
 use toml::Spanned;
 
+pub use carried_fields::{CarriedFields, FieldFigures};
 pub use check::{Check, CheckReport};
 pub use import::{Import, ImportReport};
 pub use multigrid::SolveFigures;
 pub use solve::{OnSurface, Problem, Solve, SolveReport};
 pub use subdivide::Subdivide;
-pub use subdivide_report::{GuardFigures, LevelReport, MarkingFigures, Strata, SubdivideReport};
+pub use subdivide_report::{
+    GuardFigures, LevelReport, MarkingFigures, ReasonCounts, Strata, SubdivideReport,
+};
 pub use write::{Write, WriteReport};
 
 use crate::error::Error;

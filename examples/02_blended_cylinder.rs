@@ -17,7 +17,7 @@ use octruss_mesh::{
 };
 use octruss_meshio::Values;
 
-const LEVELS: usize = 4;
+const LEVELS: usize = 3;
 
 /// Refines, and compares the slopes along the axis.
 pub fn main() -> Result<(), Box<dyn std::error::Error>> {

@@ -56,6 +56,28 @@ impl Reason {
         Self::LooseEnd,
     ];
 
+    /// The reasons that edges can have.
+    pub const OF_CURVES: [Self; 8] = [
+        Self::Junction,
+        Self::SurfaceBorder,
+        Self::AskedFor,
+        Self::CurveGroup,
+        Self::GroupBorder,
+        Self::Angle,
+        Self::Recorded,
+        Self::FreeEdge,
+    ];
+
+    /// The reasons that vertices can have.
+    pub const OF_POINTS: [Self; 6] = [
+        Self::TouchingPoint,
+        Self::AskedFor,
+        Self::PointGroup,
+        Self::Recorded,
+        Self::CurvesMeet,
+        Self::LooseEnd,
+    ];
+
     /// The name by which reports and files call it.
     pub fn name(self) -> &'static str {
         match self {

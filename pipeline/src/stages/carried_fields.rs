@@ -27,7 +27,7 @@ pub struct CarriedFields {
 pub struct FieldFigures {
     /// Values a vertex, side or tet.
     pub components: usize,
-    /// The least value of any component; null if none is a number.
+    /// The least finite value of any component; null if there is none.
     pub minimum: Option<f64>,
     /// The greatest.
     pub maximum: Option<f64>,

@@ -55,8 +55,8 @@ pub struct Strata {
     pub point_reasons: Option<ReasonCounts>,
 }
 
-/// How many parts of the mesh each reason holds for, by its name; all reasons
-/// are listed.
+/// How many parts of the mesh each reason holds for, by its name; reasons
+/// that hold nowhere are listed, too.
 pub type ReasonCounts = BTreeMap<&'static str, usize>;
 
 /// How far the marking agrees, before it is chosen and after.
@@ -153,14 +153,14 @@ impl Strata {
             crease_edges: features.creases.len(),
             corners: features.corners.len(),
             surface_faces: strata.is_surface.iter().filter(|is| **is).count(),
-            curve_reasons: reasons.map(|reasons| count(&reasons.curves)),
-            point_reasons: reasons.map(|reasons| count(&reasons.points)),
+            curve_reasons: reasons.map(|reasons| count(&Reason::OF_CURVES, &reasons.curves)),
+            point_reasons: reasons.map(|reasons| count(&Reason::OF_POINTS, &reasons.points)),
         }
     }
 }
 
-fn count<T>(parts: &[(T, Reason)]) -> ReasonCounts {
-    let mut counts: ReasonCounts = Reason::ALL.iter().map(|reason| (reason.name(), 0)).collect();
+fn count<T>(listed: &[Reason], parts: &[(T, Reason)]) -> ReasonCounts {
+    let mut counts: ReasonCounts = listed.iter().map(|reason| (reason.name(), 0)).collect();
     parts.iter().for_each(|(_, reason)| *counts.entry(reason.name()).or_default() += 1);
     counts
 }

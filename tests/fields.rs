@@ -129,7 +129,7 @@ fn names_of_no_field_or_of_two_are_refused_where_they_stand() {
     let mesh = halves();
     let cell_fields = vec![density(&mesh), Field { name: "both".into(), ..density(&mesh) }];
     let point_fields = vec![at_vertices(&mesh, "both", |p| p[0])];
-    let dataset = Dataset { mesh, cell_fields, point_fields, notes: Vec::new() };
+    let dataset = Dataset { mesh, cell_fields, point_fields, ..Dataset::default() };
     for (options, says) in [
         (
             "jumps = [\"both\", \"densty\"]",
@@ -202,7 +202,7 @@ fn whole_numbers_become_means_components_stay_together_and_gaps_are_told() {
     ];
     let tets = Values::Integer((0..mesh.tets.len() as i64).collect());
     let cell_fields = vec![Field::new("part", 1, tets)];
-    let dataset = Dataset { mesh, point_fields, cell_fields, notes: Vec::new() };
+    let dataset = Dataset { mesh, point_fields, cell_fields, ..Dataset::default() };
     set_up(folder.path(), &dataset, "scheme = \"linear\"");
     succeed(folder.path(), &["run", "f.toml", "--quiet"]);
     let report = subdivide(folder.path());
@@ -305,4 +305,56 @@ fn what_was_computed_from_a_mesh_does_not_outlive_it() {
     assert!(stderr(&output).contains("the mesh file has a field `quality`, which was left out"));
     let again = read(&out.join("solution.vtu")).unwrap();
     assert!(floats(&again.cell_fields[0]).iter().all(|&eta| eta <= 1.0));
+}
+
+/// Two tets with a common face, in two regions; the second is inverted in the
+/// file and a node is left over, so that corners and numbers change on the way.
+#[test]
+fn values_at_the_corners_of_tets_need_not_be_named_to_jump() {
+    let folder = tempfile::tempdir().unwrap();
+    let msh = "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n6\n9 7 7 7\n1 0 0 0\n2 1 0 0\n\
+        3 0 1 0\n4 0 0 1\n5 1 1 1\n$EndNodes\n$Elements\n2\n8 4 2 1 1 1 2 3 4\n\
+        9 4 2 2 1 2 4 3 5\n$EndElements\n$ElementNodeData\n1\n\"rho\"\n1\n0\n3\n0\n1\n2\n\
+        8 4 1 2 3 4\n9 4 20 40 30 50\n$EndElementNodeData\n";
+    std::fs::write(folder.path().join("two.msh"), msh).unwrap();
+    for jumps in ["", "jumps = [\"rho\"]"] {
+        let config = format!(
+            "name = \"f\"\n[[stage]]\nkind = \"import\"\npath = \"two.msh\"\n[[stage]]\n\
+             kind = \"check\"\nreorient = true\n[[stage]]\nkind = \"subdivide\"\n\
+             scheme = \"linear\"\n{jumps}\n[[stage]]\nkind = \"write\"\n"
+        );
+        std::fs::write(folder.path().join("f.toml"), config).unwrap();
+        succeed(folder.path(), &["run", "f.toml", "--quiet"]);
+        let figures = &subdivide(folder.path())["fields"]["sides"]["rho"];
+        // At the node 4: 40 − 4.
+        assert_eq!(figures["largest_jump"], 36.0);
+        let apart = read(&folder.path().join("out/f/solution.sides.vtu")).unwrap();
+        let rho = floats(&apart.point_fields[0]);
+        let mut seen = Vec::new();
+        for (tet, &region) in apart.mesh.tets.iter().zip(&apart.mesh.regions) {
+            for &v in tet {
+                seen.push((
+                    region,
+                    apart.mesh.points[v as usize].map(|x| x as f32),
+                    rho[v as usize],
+                ));
+            }
+        }
+        // Nodes, and midpoints of edges: 1–2 of the first tet, 2–4 of either, 4–5 of the second.
+        for known in [
+            (1, [0.0, 0.0, 0.0], 1.0),
+            (1, [0.0, 0.0, 1.0], 4.0),
+            (2, [0.0, 0.0, 1.0], 40.0),
+            (2, [1.0, 1.0, 1.0], 50.0),
+            (1, [0.5, 0.0, 0.0], 1.5),
+            (1, [0.5, 0.0, 0.5], 3.0),
+            (2, [0.5, 0.0, 0.5], 30.0),
+            (2, [0.5, 0.5, 1.0], 45.0),
+        ] {
+            assert!(seen.contains(&known), "{known:?} among {seen:?}");
+        }
+    }
+    let converted = octruss(folder.path(), &["convert", "two.msh", "two.vtu"]);
+    assert!(stderr(&converted).contains("hold no values at the corners of each tet: rho left out"));
+    assert!(succeed(folder.path(), &["info", "two.msh"]).contains("rho (1 a corner of a tet)"));
 }

@@ -120,21 +120,40 @@ impl Sides {
     /// A field of one tuple a tet as one of sides: on each the mean of the
     /// region's tets at the vertex, weighted by their volumes.
     pub fn from_tets(&self, mesh: &TetMesh, values: &[f64], components: usize) -> Vec<f64> {
-        let mut sums = vec![0.0; components * self.len()];
+        self.means(mesh, components, |tet, _| &values[components * tet..][..components])
+    }
+
+    /// A field of four tuples a tet, one a corner, as one of sides: on each the
+    /// mean over the region's tets at the vertex, weighted by their volumes.
+    pub fn from_corners(&self, mesh: &TetMesh, values: &[f64], components: usize) -> Vec<f64> {
+        let tuple = |tet, corner| &values[components * (4 * tet + corner)..][..components];
+        self.means(mesh, components, tuple)
+    }
+
+    fn means<'a>(
+        &self,
+        mesh: &TetMesh,
+        components: usize,
+        tuple: impl Fn(usize, usize) -> &'a [f64],
+    ) -> Vec<f64> {
+        let mut means = vec![0.0; components * self.len()];
         let mut volumes = vec![0.0; self.len()];
         for (t, (tet, &region)) in mesh.tets().iter().zip(mesh.regions()).enumerate() {
             let volume = mesh.volume(t);
-            for side in tet.iter().filter_map(|&v| self.find(v, region)) {
+            for (corner, &v) in tet.iter().enumerate() {
+                let side = self.find(v, region).expect("a tet's region touches its vertices");
                 volumes[side] += volume;
-                let of_tet = &values[components * t..][..components];
-                let sums = &mut sums[components * side..][..components];
-                sums.iter_mut().zip(of_tet).for_each(|(sum, value)| *sum += volume * value);
+                // Running means: equal values give just that.
+                let share = volume / volumes[side];
+                let means = &mut means[components * side..][..components];
+                let values = tuple(t, corner);
+                means
+                    .iter_mut()
+                    .zip(values)
+                    .for_each(|(mean, value)| *mean += share * (value - *mean));
             }
         }
-        for (sums, volume) in sums.chunks_mut(components.max(1)).zip(volumes) {
-            sums.iter_mut().for_each(|sum| *sum /= volume);
-        }
-        sums
+        means
     }
 
     /// Carries a field of one tuple a side onto the sides of the finer mesh that

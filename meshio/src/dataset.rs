@@ -11,6 +11,9 @@ pub struct Dataset {
     pub point_fields: Vec<Field>,
     /// Fields with one tuple a tet (never for triangles or edges).
     pub cell_fields: Vec<Field>,
+    /// Fields with four tuples a tet, one for each of its corners in their order,
+    /// that may differ from tet to tet. VTK's formats have no room for them.
+    pub corner_fields: Vec<Field>,
     /// What the reader left out or changed, a sentence each, for the user to read.
     pub notes: Vec<String>,
 }
@@ -90,6 +93,17 @@ impl Field {
 }
 
 impl Dataset {
+    /// What no file of VTK's can hold, a sentence.
+    pub(crate) fn corner_losses(&self) -> Option<String> {
+        let names: Vec<&str> = self.corner_fields.iter().map(|f| f.name.as_str()).collect();
+        (!names.is_empty()).then(|| {
+            format!(
+                "VTK files hold no values at the corners of each tet: {} left out.",
+                names.join(", ")
+            )
+        })
+    }
+
     /// Whether all lists have the lengths that belong together, and names tell
     /// fields apart; writers ask before they write. The error says which do not.
     pub(crate) fn check_lengths(&self) -> Result<(), String> {
@@ -109,7 +123,8 @@ impl Dataset {
             return Err(format!("there are {states} states of cells for {} tets", mesh.tets.len()));
         }
         check_fields(&self.point_fields, mesh.points.len(), "points")?;
-        check_fields(&self.cell_fields, mesh.tets.len(), "tets")
+        check_fields(&self.cell_fields, mesh.tets.len(), "tets")?;
+        check_fields(&self.corner_fields, 4 * mesh.tets.len(), "corners of tets")
     }
 }
 

@@ -85,7 +85,7 @@ fn rich_dataset(cells: u32, parts: f64) -> Dataset {
             field("number of point", 1, whole(points)),
         ],
         cell_fields: vec![field("σ", 9, float(9 * tets)), field("pair", 2, whole(2 * tets))],
-        notes: vec![],
+        ..Dataset::default()
     }
 }
 

@@ -327,7 +327,8 @@ fn features_become_vertices_and_lines_with_their_reasons() {
     assert_eq!(found.mesh.group_names(1), ["group-border"]);
 
     vtu::write_features(&path, mesh, &FeatureReasons::default()).unwrap();
-    assert_eq!(vtu::read(&path).unwrap(), Dataset::default());
+    let empty = vtu::read(&path).unwrap();
+    assert_eq!((empty.mesh, empty.notes), (RawMesh::default(), vec![]));
     // Those of a larger mesh.
     let refused = vtu::write_features(&path, &shapes::regular_tet(), &reasons).unwrap_err();
     assert!(refused.to_string().contains("a feature has the vertex 26, but there are 4"));

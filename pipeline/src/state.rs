@@ -93,7 +93,7 @@ impl State {
         match finest {
             Some(mesh) => {
                 let mesh = mesh.into_raw();
-                Dataset { mesh, point_fields, cell_fields, notes: Vec::new() }
+                Dataset { mesh, point_fields, cell_fields, ..Dataset::default() }
             }
             None => dataset.unwrap_or_default(),
         }

@@ -12,12 +12,15 @@ use crate::state::{SidedFields, State, floats};
 /// Where the values of a side come from.
 #[derive(Clone, Copy)]
 enum Source<'a> {
+    /// It has sides already.
+    Sides,
     Vertices(&'a Field),
     Tets(&'a Field),
 }
 
 /// Starts a field of sides for each name of a field on vertices or tets; those
-/// that there are already go on. Returns remarks.
+/// that there are already, from an earlier stage or from values at corners of
+/// tets, go on in any case. Returns remarks.
 ///
 /// # Errors
 /// A name that no field has, or two have, with its place in the config.
@@ -32,13 +35,12 @@ pub(super) fn start_jumps(
     let sides = state.sided_fields.sides.clone();
     let sides = sides.unwrap_or_else(|| Sides::new(mesh));
     for name in names {
-        let source = source(name, state, context)?;
         let text = name.get_ref();
-        let known = state.sided_fields.fields.iter().chain(&started);
-        if known.map(|field| &field.name).any(|known| known == text) {
+        if started.iter().any(|field: &Field| field.name == *text) {
             continue;
         }
-        let (field, values) = match source {
+        let (field, values) = match source(name, state, context)? {
+            Source::Sides => continue,
             Source::Tets(field) => (field, sides.from_tets(mesh, &floats(field), field.components)),
             Source::Vertices(field) => {
                 notes.push(format!(
@@ -63,6 +65,9 @@ fn source<'a>(
     let text = name.get_ref();
     let find = |fields: &'a [Field]| fields.iter().find(|field| field.name == *text);
     let refused = |message: &str| Err(context.name_error(name, message));
+    if find(&state.sided_fields.fields).is_some() {
+        return Ok(Source::Sides);
+    }
     match (find(&state.point_fields), find(&state.cell_fields)) {
         (None, Some(field)) => Ok(Source::Tets(field)),
         (Some(field), None) => Ok(Source::Vertices(field)),

@@ -59,7 +59,7 @@ pub enum Done {
     /// Of [`Stage::Check`].
     Check(CheckReport),
     /// Of [`Stage::Subdivide`].
-    Subdivide(SubdivideReport),
+    Subdivide(Box<SubdivideReport>),
     /// Of [`Stage::Solve`].
     Solve(SolveReport),
     /// Of [`Stage::Write`].
@@ -149,7 +149,9 @@ impl Stage {
         match self {
             Self::Import(options) => options.run(state, context).map(Done::Import),
             Self::Check(options) => options.run(state, context).map(Done::Check),
-            Self::Subdivide(options) => options.run(state, context).map(Done::Subdivide),
+            Self::Subdivide(options) => {
+                options.run(state, context).map(|report| Done::Subdivide(Box::new(report)))
+            }
             Self::Solve(options) => options.run(state, context).map(Done::Solve),
             Self::Write(options) => options.run(state, context).map(Done::Write),
         }

@@ -38,7 +38,8 @@ pub struct Subdivide {
     /// Keep the mean ratio η above this by pulling vertices back to the linear rule.
     pub min_quality: Option<Fraction>,
     /// Fields on vertices or tets that may jump between regions, by name: each is
-    /// carried for every region by itself.
+    /// carried for every region by itself. Those that the file gives at the corners
+    /// of each tet are carried so without being named.
     pub jumps: Vec<Spanned<String>>,
     /// Keep each value of a field within the range of those it is made from;
     /// positions are never clamped.

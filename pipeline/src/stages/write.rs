@@ -63,7 +63,7 @@ impl Write {
                 mesh: finest.raw().clone(),
                 point_fields: state.point_fields.clone(),
                 cell_fields: state.cell_fields.clone(),
-                notes: Vec::new(),
+                ..Dataset::default()
             };
             derived.add_to(&mut solution);
             self.write_solution(&folder.join("solution.vtu"), &solution)
@@ -78,9 +78,12 @@ impl Write {
         for (number, (mesh, topology)) in meshes.iter().zip(topologies).take(levels).enumerate() {
             let name = format!("level-{number}.vtu");
             let path = folder.join(&name);
-            context
-                .progress
-                .step(number + 2, levels + 1, &name, || write_level(&path, mesh, topology))?;
+            context.progress.step(number + 2, levels + 1, &name, || {
+                if number + 1 == meshes.len() {
+                    return write_level(&path, mesh, &derived);
+                }
+                write_level(&path, mesh, &DerivedFields::new(mesh, Some(topology)))
+            })?;
             files.push(path);
             entries.push((number as f64, name));
         }
@@ -109,9 +112,13 @@ impl Write {
     }
 }
 
-fn write_level(path: &Path, mesh: &TetMesh, topology: &Topology) -> Result<((), String), Error> {
+fn write_level(
+    path: &Path,
+    mesh: &TetMesh,
+    derived: &DerivedFields,
+) -> Result<((), String), Error> {
     let mut level = Dataset { mesh: mesh.raw().clone(), ..Dataset::default() };
-    DerivedFields::new(mesh, Some(topology)).add_to(&mut level);
+    derived.add_to(&mut level);
     vtu::write(path, &level)?;
     Ok(((), amount::bytes(size(path))))
 }

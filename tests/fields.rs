@@ -354,6 +354,13 @@ fn values_at_the_corners_of_tets_need_not_be_named_to_jump() {
             assert!(seen.contains(&known), "{known:?} among {seen:?}");
         }
     }
+    let refine =
+        ["refine", "two.msh", "fine.vtu", "--scheme", "linear", "--levels", "1", "--reorient"];
+    let refined = octruss(folder.path(), &refine);
+    assert_eq!(code(&refined), 0, "{}", stderr(&refined));
+    assert!(
+        stderr(&refined).contains("the field `rho`, given at the corners of tets, was left out")
+    );
     let converted = octruss(folder.path(), &["convert", "two.msh", "two.vtu"]);
     assert!(stderr(&converted).contains("hold no values at the corners of each tet: rho left out"));
     assert!(succeed(folder.path(), &["info", "two.msh"]).contains("rho (1 a corner of a tet)"));

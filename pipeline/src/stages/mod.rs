@@ -3,6 +3,7 @@
 
 mod carried_fields;
 mod check;
+mod corner_fields;
 mod groups;
 mod import;
 mod jumps;

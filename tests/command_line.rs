@@ -160,7 +160,7 @@ fn fields_ride_along_and_stay_what_they_are() {
         point_fields: vec![Field::scalar("height", heights)],
         cell_fields: vec![Field::scalar("number", (0..6).map(f64::from).collect())],
         mesh,
-        notes: Vec::new(),
+        ..Dataset::default()
     };
     write(&folder.path().join("in.vtu"), &input).unwrap();
     succeed(

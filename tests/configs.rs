@@ -75,7 +75,7 @@ fn the_quickstart_writes_what_its_comments_promise() {
     let names = |fields: &[octruss_meshio::Field]| -> Vec<String> {
         fields.iter().map(|field| field.name.clone()).collect()
     };
-    assert_eq!(names(&solution.point_fields), ["solution"]);
+    assert_eq!(names(&solution.point_fields), ["solution", "stratum"]);
     assert_eq!(names(&solution.cell_fields), ["quality"]);
     let surfaces = std::fs::read(out.join("solution.surfaces.vtu")).unwrap();
     assert!(surfaces.starts_with(b"<?xml") || surfaces.starts_with(b"<VTKFile"));

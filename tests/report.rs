@@ -120,7 +120,7 @@ fn the_second_solve_of_a_run_goes_by_its_own_name() {
     assert_eq!(report(&out)["stages"][4]["name"], "solve-2");
     let solution = octruss_meshio::read(&out.join("solution.vtu")).unwrap();
     let names: Vec<_> = solution.point_fields.iter().map(|field| field.name.as_str()).collect();
-    assert_eq!(names, ["solution", "solution-2"]);
+    assert_eq!(names, ["solution", "solution-2", "stratum"]);
     let octruss_meshio::Values::Float(values) = &solution.point_fields[1].values else { panic!() };
     for (point, value) in solution.mesh.points.iter().zip(values) {
         let exact = 1.0 + 2.0 * (point[0] - 0.5 * point[0] * point[0]);

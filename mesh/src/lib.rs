@@ -13,6 +13,7 @@
 
 pub mod analysis;
 mod assemble_matrix;
+pub mod carry;
 pub mod check;
 mod chunks;
 pub mod components;
@@ -32,6 +33,7 @@ pub mod reference_tet;
 mod rules;
 pub mod scheme;
 pub mod shapes;
+pub mod sided_field;
 pub mod step;
 pub mod strata;
 pub mod subdivide;
@@ -40,14 +42,16 @@ pub mod tet_mesh;
 pub mod topology;
 
 pub use assemble_matrix::subdivision_matrix;
+pub use carry::{Carried, Overshoot, carry_field};
 pub use check::{CheckError, CheckOptions, Checked, check, findings};
-pub use features::{ExtraFeatures, FeatureError, FeatureOptions, prepare};
+pub use features::{ExtraFeatures, FeatureError, FeatureOptions, FeatureReasons, Reason, prepare};
 pub use finding::{Finding, FindingKind};
 pub use hierarchy::Hierarchy;
 pub use marking::{Marking, MarkingReport, marking_report};
 pub use raw_mesh::{Features, Group, RawMesh, Tagged};
 pub use reference_tet::CellState;
 pub use scheme::{MarkedRule, Scheme};
+pub use sided_field::Sides;
 pub use step::{Diagonal, Step};
 pub use strata::Strata;
 pub use subdivide::{Refinement, SubdivideError, subdivide};

@@ -13,7 +13,7 @@ fn vtu_files(criterion: &mut Criterion) {
         mesh,
         point_fields: vec![Field::scalar("u", heights)],
         cell_fields: vec![Field::scalar("quality", quality)],
-        notes: vec![],
+        ..Dataset::default()
     };
     let folder = tempfile::tempdir().expect("a folder to write in");
     let mut group = criterion.benchmark_group("vtu");

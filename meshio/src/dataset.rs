@@ -11,6 +11,9 @@ pub struct Dataset {
     pub point_fields: Vec<Field>,
     /// Fields with one tuple a tet (never for triangles or edges).
     pub cell_fields: Vec<Field>,
+    /// Fields with four tuples a tet, one for each of its corners in their order,
+    /// that may differ from tet to tet. VTK's formats have no room for them.
+    pub corner_fields: Vec<Field>,
     /// What the reader left out or changed, a sentence each, for the user to read.
     pub notes: Vec<String>,
 }
@@ -24,6 +27,10 @@ pub struct Field {
     pub components: usize,
     /// The values, `components` × tuples of them.
     pub values: Values,
+    /// Whether the values were computed from the mesh, as a quality is, and so say
+    /// nothing about another one: refining leaves such a field out. VTU files keep
+    /// this flag.
+    pub derived: bool,
 }
 
 /// The values of a field. Narrower types of a file are widened, which loses nothing.
@@ -51,9 +58,19 @@ impl Values {
 }
 
 impl Field {
+    /// A field of data, not derived from the mesh.
+    pub fn new(name: impl Into<String>, components: usize, values: Values) -> Self {
+        Self { name: name.into(), components, values, derived: false }
+    }
+
     /// A scalar field of floating-point values.
     pub fn scalar(name: impl Into<String>, values: Vec<f64>) -> Self {
-        Self { name: name.into(), components: 1, values: Values::Float(values) }
+        Self::new(name, 1, Values::Float(values))
+    }
+
+    /// A scalar field of values computed from the mesh.
+    pub fn derived(name: impl Into<String>, values: Values) -> Self {
+        Self { derived: true, ..Self::new(name, 1, values) }
     }
 
     /// How many tuples the field has.
@@ -71,11 +88,22 @@ impl Field {
             Values::Float(values) => Values::Float(pick(values, self.components, kept)),
             Values::Integer(values) => Values::Integer(pick(values, self.components, kept)),
         };
-        Self { name: self.name.clone(), components: self.components, values }
+        Self { values, name: self.name.clone(), ..*self }
     }
 }
 
 impl Dataset {
+    /// What no file of VTK's can hold, a sentence.
+    pub(crate) fn corner_losses(&self) -> Option<String> {
+        let names: Vec<&str> = self.corner_fields.iter().map(|f| f.name.as_str()).collect();
+        (!names.is_empty()).then(|| {
+            format!(
+                "VTK files hold no values at the corners of each tet: {} left out.",
+                names.join(", ")
+            )
+        })
+    }
+
     /// Whether all lists have the lengths that belong together, and names tell
     /// fields apart; writers ask before they write. The error says which do not.
     pub(crate) fn check_lengths(&self) -> Result<(), String> {
@@ -95,7 +123,8 @@ impl Dataset {
             return Err(format!("there are {states} states of cells for {} tets", mesh.tets.len()));
         }
         check_fields(&self.point_fields, mesh.points.len(), "points")?;
-        check_fields(&self.cell_fields, mesh.tets.len(), "tets")
+        check_fields(&self.cell_fields, mesh.tets.len(), "tets")?;
+        check_fields(&self.corner_fields, 4 * mesh.tets.len(), "corners of tets")
     }
 }
 
@@ -105,7 +134,7 @@ fn check_fields(fields: &[Field], tuples: usize, of: &str) -> Result<(), String>
     if let Some(pair) = names.windows(2).find(|pair| pair[0] == pair[1]) {
         return Err(format!("two fields of the {of} are called `{}`; rename one", pair[0]));
     }
-    for Field { name, components, values } in fields {
+    for Field { name, components, values, .. } in fields {
         if *components == 0 || Some(values.len()) != components.checked_mul(tuples) {
             return Err(format!(
                 "the field `{name}` has {} values, not {components} for each of {tuples} {of}",

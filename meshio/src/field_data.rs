@@ -14,7 +14,7 @@ use std::borrow::Cow;
 use bytemuck::cast_slice;
 use octruss_mesh::{CellState, Features, Group, RawMesh, Tagged};
 
-use crate::dataset::Dataset;
+use crate::dataset::{Dataset, Field};
 use crate::fingerprint::fingerprint;
 use crate::problem::Problem;
 
@@ -74,7 +74,36 @@ pub(crate) fn group_arrays(groups: &[Group]) -> Result<Vec<SideArray<'_>>, Strin
     Ok(arrays.map(|(name, content)| SideArray { name, components: 1, content }).into())
 }
 
-/// The names in the bytes that [`group_arrays`] made; `None` if they are none.
+/// The arrays that name the derived fields, on points and on cells.
+const DERIVED: [&str; 2] = ["derived_point_fields", "derived_cell_fields"];
+
+/// The arrays that tell which fields are derived.
+pub(crate) fn derived_arrays(dataset: &Dataset) -> Vec<SideArray<'_>> {
+    let names = |fields: &[Field]| -> Vec<u8> {
+        let derived = fields.iter().filter(|field| field.derived);
+        derived.flat_map(|field| [field.name.as_bytes(), &[0]].concat()).collect()
+    };
+    let both = [names(&dataset.point_fields), names(&dataset.cell_fields)];
+    let arrays = DERIVED.into_iter().zip(both).filter(|(_, names)| !names.is_empty());
+    arrays
+        .map(|(name, names)| SideArray { name, components: 1, content: SideContent::Bytes(names) })
+        .collect()
+}
+
+/// Marks the fields that the file says are derived.
+fn mark_derived(arrays: &impl SideArrays, dataset: &mut Dataset) -> Result<(), Problem> {
+    for (array, fields) in
+        DERIVED.into_iter().zip([&mut dataset.point_fields, &mut dataset.cell_fields])
+    {
+        let names = split_names(&arrays.bytes(array)?.unwrap_or_default())
+            .ok_or_else(|| wrong(array, "a name is not UTF-8 or not ended by a zero byte"))?;
+        fields.iter_mut().for_each(|field| field.derived = names.contains(&field.name));
+    }
+    Ok(())
+}
+
+/// The names in the bytes that [`group_arrays`] or [`derived_arrays`] made;
+/// `None` if they are none.
 fn split_names(bytes: &[u8]) -> Option<Vec<String>> {
     let Some(names) = bytes.strip_suffix(&[0]) else {
         return bytes.is_empty().then(Vec::new);
@@ -160,6 +189,7 @@ fn push_tagged<'a, const N: usize>(
 /// Restores what [`mesh_arrays`] wrote; of a mesh that was changed since, the
 /// group names alone, with a note.
 pub(crate) fn restore(arrays: &impl SideArrays, dataset: &mut Dataset) -> Result<(), Problem> {
+    mark_derived(arrays, dataset)?;
     let Dataset { mesh, notes, .. } = dataset;
     mesh.groups.extend(groups(arrays)?);
     let recorded = arrays.vertices(FINGERPRINT, 1)?;

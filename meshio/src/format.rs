@@ -12,9 +12,10 @@ use crate::{aside, gmsh, legacy, vtu};
 pub enum Format {
     /// Gmsh's `.msh`, read only.
     Gmsh,
-    /// VTK's XML format for unstructured grids, `.vtu`: holds all of a dataset.
+    /// VTK's XML format for unstructured grids, `.vtu`: holds all of a dataset but corner fields.
     Vtu,
-    /// VTK's older format, `.vtk`: holds no group names and no features.
+    /// VTK's older format, `.vtk`: holds no group names, no features, and not which
+    /// fields are derived.
     LegacyVtk,
 }
 
@@ -76,7 +77,8 @@ impl Format {
     /// What a file of this format cannot hold of `dataset`, a sentence each.
     pub fn losses(self, dataset: &Dataset) -> Vec<String> {
         match self {
-            Self::Vtu | Self::Gmsh => Vec::new(),
+            Self::Gmsh => Vec::new(),
+            Self::Vtu => dataset.corner_losses().into_iter().collect(),
             Self::LegacyVtk => legacy::losses(dataset),
         }
     }

@@ -72,7 +72,7 @@ fn tagged_geometry<const N: usize>(
 #[test]
 fn blocks_have_the_counts_that_gmsh_prints() {
     for name in BLOCKS {
-        let Dataset { mesh, point_fields, cell_fields, notes } = read(name);
+        let Dataset { mesh, point_fields, cell_fields, notes, .. } = read(name);
         assert_eq!(mesh.points.len(), 117, "{name}");
         assert_eq!(tally(&mesh.regions), [(1, 184), (2, 124)], "{name}");
         let surfaces = [(3, 26), (4, 26), (5, 52), (6, 26), (30, 26)];
@@ -178,7 +178,7 @@ fn sparse_node_tags_in_any_order() {
 #[test]
 fn node_and_element_data_become_fields() {
     for name in ["fields-ascii.msh", "fields-binary.msh", "fields-2.2-binary.msh"] {
-        let Dataset { mesh, point_fields, cell_fields, notes } = read(name);
+        let Dataset { mesh, point_fields, cell_fields, notes, .. } = read(name);
         let above: Vec<f64> = mesh.points.iter().map(|point| point[2] + 2.0).collect();
         assert_eq!(above.len(), 6);
         assert_eq!(point_fields, [Field::scalar("T", above)], "{name}");

@@ -1,6 +1,6 @@
 //! Details of the format, on meshes small enough to be written out here.
 
-use octruss_meshio::{Dataset, Field, gmsh};
+use octruss_meshio::{Dataset, Field, Values, gmsh};
 
 fn read(bytes: &[u8]) -> Dataset {
     gmsh::parse("small.msh".as_ref(), bytes).unwrap_or_else(|error| panic!("{error}"))
@@ -149,4 +149,27 @@ fn time_steps_of_a_name_are_told_apart() {
     let dataset = read(file.as_bytes());
     let names: Vec<&str> = dataset.point_fields.iter().map(|field| field.name.as_str()).collect();
     assert_eq!(names, ["T", "T (step 1)", "T (step 1)'"]);
+}
+
+/// Two tets and a triangle, with values of one and of three components at their nodes.
+#[test]
+fn element_node_data_become_fields_at_corners() {
+    let mesh = with_elements(&["7 2 2 1 1 1 2 3", "8 4 2 1 1 1 2 3 4", "9 4 2 2 1 2 3 4 5"]);
+    let data = "$ElementNodeData\n1\n\"rho\"\n1\n0\n3\n0\n1\n3\n7 3 1 2 3\n9 4 5 6 7 8\n\
+        8 4 1 2 3 4\n$EndElementNodeData\n$ElementNodeData\n1\n\"q\"\n1\n0\n3\n0\n3\n1\n\
+        8 6 1 2 3 4 5 6 7 8 9 10 11 12 0 0 0 0 0 0\n$EndElementNodeData\n";
+    let Dataset { corner_fields, notes, .. } = read(format!("{mesh}{data}").as_bytes());
+    let [rho, q] = &corner_fields[..] else { panic!("two fields") };
+    assert_eq!(*rho, Field::scalar("rho", vec![1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0]));
+    assert_eq!((q.name.as_str(), q.components), ("q", 3));
+    let Values::Float(values) = &q.values else { panic!("floating-point values") };
+    assert_eq!(values[..12], [1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0, 9.0, 10.0, 11.0, 12.0]);
+    assert!(values.len() == 24 && values[12..].iter().all(|value| value.is_nan()));
+    assert_eq!(notes, ["the field \"q\" has no value for 1 of 2 tets; it is NaN there"]);
+
+    let few = data.replace("9 4 5 6 7 8", "9 3 5 6 7");
+    let refused = gmsh::parse("small.msh".as_ref(), format!("{mesh}{few}").as_bytes());
+    let error = refused.unwrap_err().to_string();
+    // 17 lines of mesh, 9 before the values, and that of the triangle.
+    assert!(error.contains(":28: values at 3 nodes of a tet; expected at least its 4"), "{error}");
 }

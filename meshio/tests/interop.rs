@@ -76,7 +76,7 @@ fn rich_dataset(cells: u32, parts: f64) -> Dataset {
     let float = |count: usize| Values::Float((0..count).map(|i| i as f64 / parts - 3.0).collect());
     let whole = |count: usize| Values::Integer((0..count as i64).map(|i| (i - 9) << 40).collect());
     let (points, tets) = (mesh.points.len(), mesh.tets.len());
-    let field = |name: &str, components, values| Field { name: name.into(), components, values };
+    let field = |name: &str, components, values| Field::new(name, components, values);
     Dataset {
         mesh,
         point_fields: vec![
@@ -85,7 +85,7 @@ fn rich_dataset(cells: u32, parts: f64) -> Dataset {
             field("number of point", 1, whole(points)),
         ],
         cell_fields: vec![field("σ", 9, float(9 * tets)), field("pair", 2, whole(2 * tets))],
-        notes: vec![],
+        ..Dataset::default()
     }
 }
 

@@ -17,7 +17,7 @@ struct Way {
 #[derive(PartialEq)]
 enum Keeps {
     Everything,
-    /// All but group names and features.
+    /// All but group names, features and which fields are derived.
     Tags,
 }
 
@@ -45,6 +45,8 @@ fn assert_round_trips(dataset: &Dataset) {
         if way.keeps == Keeps::Tags {
             expected.mesh.groups.clear();
             expected.mesh.features = None;
+            let fields = expected.point_fields.iter_mut().chain(&mut expected.cell_fields);
+            fields.for_each(|field| field.derived = false);
         }
         let found = octruss_meshio::read(&path).unwrap();
         assert_eq!(found, expected, "{}", way.name);
@@ -99,7 +101,8 @@ fn fields(tuples: usize) -> Vec<Field> {
     for components in [1, 2, 3, 9] {
         for (kind, values) in [("float", floats as fn(usize) -> Values), ("integer", integers)] {
             let name = format!("{kind} ×{components} <&\"%>");
-            fields.push(Field { name, components, values: values(components * tuples) });
+            let values = values(components * tuples);
+            fields.push(Field { derived: components == 3, ..Field::new(name, components, values) });
         }
     }
     fields
@@ -163,7 +166,7 @@ fn little_or_nothing_comes_back() {
 #[test]
 fn a_field_without_tuples_may_have_any_number_of_components() {
     // As doubles, a tuple would have 2⁶⁴ bytes, which wraps round to none.
-    let field = Field { name: "u".into(), components: 1 << 61, values: Values::Float(vec![]) };
+    let field = Field::new("u", 1 << 61, Values::Float(vec![]));
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("empty.vtu");
     vtu::write(&path, &Dataset { point_fields: vec![field], ..Dataset::default() }).unwrap();
@@ -302,4 +305,31 @@ fn surfaces_go_beside_the_mesh_with_the_points_they_use() {
     let found = vtu::read(&path).unwrap();
     assert_eq!(found.point_fields, [Field::scalar("x", x(&found))]);
     assert_eq!(found.mesh.group_names(2), ["x0", "x1", "y0", "y1", "z0", "z1"]);
+}
+
+#[test]
+fn features_become_vertices_and_lines_with_their_reasons() {
+    use octruss_mesh::{FeatureOptions, FeatureReasons, Hierarchy};
+    let options = FeatureOptions::default();
+    let cube = Hierarchy::new(shapes::kuhn_cube(2), &options);
+    let (mesh, topology) = (&cube.meshes[0], &cube.topologies[0]);
+    let reasons = FeatureReasons::new(mesh, topology, Some(&options));
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("features.vtu");
+    vtu::write_features(&path, mesh, &reasons).unwrap();
+    let found = vtu::read(&path).unwrap();
+    // The 8 corners and 12 edges of the cube, two mesh edges each; cells without
+    // tags are no part of a mesh.
+    assert_eq!(found.mesh.points.len(), 20);
+    assert!(found.mesh.points.iter().all(|p| p.iter().filter(|x| **x == 0.5).count() <= 1));
+    assert_eq!(found.notes, ["32 triangles, lines or vertices without a tag were left out."]);
+    assert_eq!(found.mesh.group_names(0), ["curves-meet"]);
+    assert_eq!(found.mesh.group_names(1), ["group-border"]);
+
+    vtu::write_features(&path, mesh, &FeatureReasons::default()).unwrap();
+    let empty = vtu::read(&path).unwrap();
+    assert_eq!((empty.mesh, empty.notes), (RawMesh::default(), vec![]));
+    // Those of a larger mesh.
+    let refused = vtu::write_features(&path, &shapes::regular_tet(), &reasons).unwrap_err();
+    assert!(refused.to_string().contains("a feature has the vertex 26, but there are 4"));
 }

@@ -35,6 +35,8 @@ pub struct Description {
     pub point_fields: Vec<FieldReport>,
     /// Fields on tets.
     pub cell_fields: Vec<FieldReport>,
+    /// Fields with a value for each corner of each tet.
+    pub corner_fields: Vec<FieldReport>,
     /// Only what is wrong or remarkable.
     pub findings: Vec<FindingReport>,
     /// What the reader left out or changed.
@@ -174,6 +176,7 @@ pub fn describe(dataset: &Dataset) -> Description {
         quality: summarise(&mesh).map(Quality::from),
         point_fields: dataset.point_fields.iter().map(field_report).collect(),
         cell_fields: dataset.cell_fields.iter().map(field_report).collect(),
+        corner_fields: dataset.corner_fields.iter().map(field_report).collect(),
         findings: findings.iter().map(FindingReport::from).collect(),
         notes: dataset.notes.clone(),
     }

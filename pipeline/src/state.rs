@@ -1,8 +1,12 @@
 //! What flows between the stages of a run.
 
+use std::borrow::Cow;
 use std::path::PathBuf;
 
-use octruss_mesh::{FeatureOptions, Hierarchy, Scheme, Step, SubdivideError, TetMesh};
+use octruss_mesh::{
+    FeatureOptions, FeatureReasons, Hierarchy, Overshoot, Scheme, Sides, Step, SubdivideError,
+    TetMesh, carry_field,
+};
 use octruss_meshio::{Dataset, Field, Values};
 
 /// What the stages so far have made.
@@ -16,12 +20,25 @@ pub struct State {
     pub mesh: Option<TetMesh>,
     /// The levels, coarsest first.
     pub hierarchy: Option<Hierarchy>,
+    /// Why the curves and points of the coarsest level are what they are.
+    pub feature_reasons: FeatureReasons,
     /// The scheme of each refinement.
     pub schemes: Vec<Scheme>,
     /// Fields on the vertices of the finest mesh.
     pub point_fields: Vec<Field>,
     /// Fields on the tets of the finest mesh.
     pub cell_fields: Vec<Field>,
+    /// Fields that may jump between regions, if there are any.
+    pub sided_fields: SidedFields,
+}
+
+/// Fields with a tuple for each side of a vertex of the finest mesh.
+#[derive(Debug, Default)]
+pub struct SidedFields {
+    /// The sides; kept once there is a field.
+    pub sides: Option<Sides>,
+    /// The fields.
+    pub fields: Vec<Field>,
 }
 
 impl State {
@@ -33,39 +50,40 @@ impl State {
     /// The levels; the checked mesh becomes the only one if there are none.
     pub fn levels(&mut self, options: &FeatureOptions) -> Option<&mut Hierarchy> {
         if let Some(mesh) = self.mesh.take() {
-            self.hierarchy = Some(Hierarchy::new(mesh, options));
+            // A mesh that carries features takes no notice of the options.
+            let options = Some(options).filter(|_| mesh.features().is_none());
+            let hierarchy = Hierarchy::new(mesh, options.unwrap_or(&FeatureOptions::default()));
+            self.feature_reasons =
+                FeatureReasons::new(hierarchy.finest(), &hierarchy.topologies[0], options);
+            self.hierarchy = Some(hierarchy);
         }
         self.hierarchy.as_mut()
     }
 
-    /// Adds a level, onto which the fields are carried. Without levels nothing
-    /// happens.
+    /// Adds a level, onto which the fields are carried; returns how many values
+    /// were clamped. Without levels nothing happens.
     ///
     /// # Errors
     /// As [`Hierarchy::subdivide`]; everything then stays as it was.
-    pub fn refine(&mut self, step: Step) -> Result<(), SubdivideError> {
-        let Some(hierarchy) = &mut self.hierarchy else { return Ok(()) };
+    pub fn refine(&mut self, step: Step, overshoot: Overshoot) -> Result<usize, SubdivideError> {
+        let Some(hierarchy) = &mut self.hierarchy else { return Ok(0) };
         hierarchy.subdivide(step)?;
         self.schemes.push(step.scheme);
         let matrix = &hierarchy.refinements[hierarchy.refinements.len() - 1].matrix;
+        let mut clamped = 0;
         for field in &mut self.point_fields {
-            // Means of whole numbers are not whole.
-            let coarse = match &field.values {
-                Values::Float(values) => matrix.apply_field(values, field.components),
-                Values::Integer(values) => {
-                    let values: Vec<f64> = values.iter().map(|&value| value as f64).collect();
-                    matrix.apply_field(&values, field.components)
-                }
-            };
-            field.values = Values::Float(coarse);
+            let carried = carry_field(matrix, &floats(field), field.components, overshoot);
+            field.values = Values::Float(carried.values);
+            clamped += carried.clamped;
         }
+        clamped += self.sided_fields.refine(hierarchy, overshoot);
         for field in &mut self.cell_fields {
             field.values = match &field.values {
                 Values::Float(values) => Values::Float(to_children(values, field.components)),
                 Values::Integer(values) => Values::Integer(to_children(values, field.components)),
             };
         }
-        Ok(())
+        Ok(clamped)
     }
 
     /// The finest mesh with its fields, or what was imported if nothing was checked.
@@ -75,10 +93,38 @@ impl State {
         match finest {
             Some(mesh) => {
                 let mesh = mesh.into_raw();
-                Dataset { mesh, point_fields, cell_fields, notes: Vec::new() }
+                Dataset { mesh, point_fields, cell_fields, ..Dataset::default() }
             }
             None => dataset.unwrap_or_default(),
         }
+    }
+}
+
+impl SidedFields {
+    /// Carries the fields onto the level that was added last; returns how many
+    /// values were clamped.
+    fn refine(&mut self, hierarchy: &Hierarchy, overshoot: Overshoot) -> usize {
+        let Some(coarse) = &self.sides else { return 0 };
+        let fine = Sides::new(hierarchy.finest());
+        let transfer = hierarchy.refinements.len() - 1;
+        let step = (&hierarchy.topologies[transfer], &hierarchy.refinements[transfer].matrix);
+        let mut clamped = 0;
+        for field in &mut self.fields {
+            let carried = coarse.carry(step, &fine, &floats(field), field.components, overshoot);
+            field.values = Values::Float(carried.values);
+            clamped += carried.clamped;
+        }
+        self.sides = Some(fine);
+        clamped
+    }
+}
+
+/// The values of a field as floating-point numbers: means of whole numbers are
+/// not whole.
+pub(crate) fn floats(field: &Field) -> Cow<'_, [f64]> {
+    match &field.values {
+        Values::Float(values) => values.into(),
+        Values::Integer(values) => values.iter().map(|&value| value as f64).collect(),
     }
 }
 

@@ -16,6 +16,8 @@ pub struct Sections {
     pub point_data: Vec<FieldStep>,
     /// `$ElementData`, one a section.
     pub cell_data: Vec<FieldStep>,
+    /// `$ElementNodeData`, one a section.
+    pub corner_data: Vec<FieldStep>,
     /// Remarks on what was passed over.
     pub notes: Vec<String>,
 }
@@ -26,6 +28,7 @@ pub fn dataset(nodes: Nodes, elements: Elements, sections: Sections) -> Dataset 
     note_groups(&elements, &sections.groups, &mut notes);
     let point_fields = fields(sections.point_data, "nodes", &mut notes);
     let cell_fields = fields(sections.cell_data, "tets", &mut notes);
+    let corner_fields = fields(sections.corner_data, "tets", &mut notes);
     let (second_order_tets, mid_side) = (elements.second_order_tets, elements.mid_side);
     let mesh = RawMesh {
         points: nodes.points,
@@ -37,7 +40,7 @@ pub fn dataset(nodes: Nodes, elements: Elements, sections: Sections) -> Dataset 
         groups: sections.groups,
         features: None,
     };
-    let mut dataset = Dataset { mesh, point_fields, cell_fields, notes };
+    let mut dataset = Dataset { mesh, point_fields, cell_fields, corner_fields, notes };
     if !mid_side.is_empty() {
         let dropped = mid_side::drop_nodes(&mut dataset, &mid_side);
         dataset.notes.push(format!(
@@ -72,7 +75,7 @@ fn note_groups(elements: &Elements, groups: &[Group], notes: &mut Vec<String>) {
 /// The fields by unique names: later time steps of a name get the step added.
 fn fields(data: Vec<FieldStep>, owners: &str, notes: &mut Vec<String>) -> Vec<Field> {
     let mut fields: Vec<Field> = Vec::with_capacity(data.len());
-    for FieldStep { mut field, step, missing } in data {
+    for FieldStep { mut field, step, owners: count, missing } in data {
         let taken = |name: &str, fields: &[Field]| fields.iter().any(|other| other.name == name);
         if taken(&field.name, &fields) {
             field.name = format!("{} (step {step})", field.name);
@@ -82,9 +85,8 @@ fn fields(data: Vec<FieldStep>, owners: &str, notes: &mut Vec<String>) -> Vec<Fi
         }
         if missing > 0 {
             notes.push(format!(
-                "the field \"{}\" has no value for {missing} of {} {owners}; it is NaN there",
-                field.name,
-                field.tuples()
+                "the field \"{}\" has no value for {missing} of {count} {owners}; it is NaN there",
+                field.name
             ));
         }
         fields.push(field);

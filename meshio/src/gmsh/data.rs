@@ -1,4 +1,4 @@
-//! `$NodeData` and `$ElementData`: a field of one time step.
+//! `$NodeData`, `$ElementData` and `$ElementNodeData`: a field of one time step.
 
 use super::nodes::Nodes;
 use super::scanner::{Scanner, quoted};
@@ -11,6 +11,9 @@ pub enum Target<'a> {
     Nodes(&'a Nodes),
     /// Tets, by element tag; values of other elements are passed over.
     Tets(&'a TagMap, usize),
+    /// The corners of tets, by element tag; values of other elements and at
+    /// mid-side nodes are passed over.
+    Corners(&'a TagMap, usize),
 }
 
 /// A field as one section gives it.
@@ -19,7 +22,9 @@ pub struct FieldStep {
     pub field: Field,
     /// The number of the time step.
     pub step: i64,
-    /// How many nodes or tets have no value.
+    /// How many nodes or tets there are.
+    pub owners: usize,
+    /// How many of them have no value.
     pub missing: usize,
 }
 
@@ -34,25 +39,33 @@ struct DataHeader {
 /// Reads the section; `None` if it has no value for any node or tet.
 pub fn read(scanner: &mut Scanner, target: &Target) -> Result<Option<FieldStep>, Error> {
     let header = header(scanner)?;
-    let tuples = match target {
-        Target::Nodes(nodes) => nodes.points.len(),
-        Target::Tets(_, count) => *count,
+    let (owners, tuples) = match target {
+        Target::Nodes(nodes) => (nodes.points.len(), 1),
+        Target::Tets(_, count) => (*count, 1),
+        Target::Corners(_, count) => (*count, 4),
     };
     let components = header.components;
+    let width = components * tuples;
     let mut values = Vec::new();
     let mut given = Vec::new();
-    let mut tuple = Vec::with_capacity(components);
+    let mut read = Vec::with_capacity(width);
     for _ in 0..header.entries {
         let index = index(scanner, target)?;
-        tuple.clear();
-        for _ in 0..components {
-            tuple.push(scanner.double("a value")?);
+        let listed = tuples_listed(scanner, target, index)?;
+        read.clear();
+        for place in 0..listed {
+            for _ in 0..components {
+                let value = scanner.double("a value")?;
+                if place < tuples as u64 {
+                    read.push(value);
+                }
+            }
         }
         scanner.end_record("the values")?;
         if let Some(index) = index {
-            values.resize(tuples * components, f64::NAN);
-            given.resize(tuples, false);
-            values[index * components..][..components].copy_from_slice(&tuple);
+            values.resize(owners * width, f64::NAN);
+            given.resize(owners, false);
+            values[index * width..][..width].copy_from_slice(&read);
             given[index] = true;
         }
     }
@@ -60,8 +73,27 @@ pub fn read(scanner: &mut Scanner, target: &Target) -> Result<Option<FieldStep>,
         return Ok(None);
     }
     let missing = given.iter().filter(|&&given| !given).count();
-    let field = Field { name: header.name, components, values: Values::Float(values) };
-    Ok(Some(FieldStep { field, step: header.step, missing }))
+    let field = Field::new(header.name, components, Values::Float(values));
+    Ok(Some(FieldStep { field, step: header.step, owners, missing }))
+}
+
+/// How many tuples an entry has: one, or as many as it says for the nodes of an
+/// element, of which a tet has at least its corners.
+fn tuples_listed(
+    scanner: &mut Scanner,
+    target: &Target,
+    index: Option<usize>,
+) -> Result<u64, Error> {
+    let Target::Corners(..) = target else { return Ok(1) };
+    let place = scanner.position();
+    let nodes = scanner.tag("the number of nodes of an element")?;
+    if index.is_some() && nodes < 4 {
+        return Err(scanner.malformed_at(
+            place,
+            format!("values at {nodes} nodes of a tet; expected at least its 4 corners"),
+        ));
+    }
+    Ok(nodes)
 }
 
 fn index(scanner: &mut Scanner, target: &Target) -> Result<Option<usize>, Error> {
@@ -69,7 +101,9 @@ fn index(scanner: &mut Scanner, target: &Target) -> Result<Option<usize>, Error>
     let tag = scanner.tag("the tag that a value belongs to")?;
     Ok(match target {
         Target::Nodes(nodes) => Some(nodes.index(scanner, place, tag)? as usize),
-        Target::Tets(map, _) => map.index(tag).map(|index| index as usize),
+        Target::Tets(map, _) | Target::Corners(map, _) => {
+            map.index(tag).map(|index| index as usize)
+        }
     })
 }
 

@@ -38,9 +38,9 @@ use crate::{Dataset, Error};
 /// region of a tet is its first physical group, 0 for none. Triangles, lines
 /// and points are listed once for each of their physical groups and left out
 /// if they have none; a negative group turns them round. Second-order elements
-/// are read as linear ones and their mid-side nodes dropped. `$NodeData` and
-/// `$ElementData` become fields (of tets only), NaN where the file gives no
-/// value. The notes tell what was left out. Coordinates may be NaN or infinite:
+/// are read as linear ones and their mid-side nodes dropped. `$NodeData`,
+/// `$ElementData` and `$ElementNodeData` become fields (of tets and their corners
+/// only), NaN where the file gives no value. The notes tell what was left out. Coordinates may be NaN or infinite:
 /// checking the mesh finds that.
 ///
 /// # Errors
@@ -111,11 +111,15 @@ impl Reader {
                 let field = data::read(scanner, &Target::Nodes(nodes))?;
                 self.sections.point_data.extend(field);
             }
-            ("ElementData", _) => {
+            ("ElementData" | "ElementNodeData", _) => {
                 let elements = earlier(scanner, &self.elements, "Elements", name)?;
                 let tets = self.tets.get_or_insert_with(|| TagMap::new(&elements.tet_tags).0);
-                let field = data::read(scanner, &Target::Tets(tets, elements.tets.len()))?;
-                self.sections.cell_data.extend(field);
+                let count = elements.tets.len();
+                let (target, fields) = match name {
+                    "ElementData" => (Target::Tets(tets, count), &mut self.sections.cell_data),
+                    _ => (Target::Corners(tets, count), &mut self.sections.corner_data),
+                };
+                fields.extend(data::read(scanner, &target)?);
             }
             ("ParametricNodes", _) => {
                 return Err(scanner.unsupported(

@@ -157,7 +157,7 @@ fn fields(
             let message = format!("{found}; expected {components} for each of {tuples} {of}");
             return Err(Problem::part(part(), message));
         }
-        fields.push(Field { name, components, values });
+        fields.push(Field::new(name, components, values));
         Ok(())
     };
     let mut tables = Vec::new();

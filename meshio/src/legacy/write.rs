@@ -40,6 +40,16 @@ pub(crate) fn losses(dataset: &Dataset) -> Vec<String> {
     if dataset.mesh.features.is_some() {
         losses.push("Legacy VTK files hold no features; they will be found anew.".into());
     }
+    losses.extend(dataset.corner_losses());
+    let fields = dataset.point_fields.iter().chain(&dataset.cell_fields);
+    let derived: Vec<&str> = fields.filter(|f| f.derived).map(|f| f.name.as_str()).collect();
+    if !derived.is_empty() {
+        losses.push(format!(
+            "Legacy VTK files do not tell data from what was computed from the mesh ({}); refining \
+             will carry both along.",
+            derived.join(", ")
+        ));
+    }
     losses
 }
 

@@ -161,7 +161,7 @@ fn append_fields<'a>(
         let numbers = decoder.numbers(array)?;
         numbers.expect(array.components, tuples, of)?;
         let values = numbers.values()?;
-        read.push(Field { name: array.name.clone(), components: array.components, values });
+        read.push(Field::new(&array.name, array.components, values));
     }
     if piece == 0 {
         *fields = read;

@@ -4,6 +4,7 @@ use std::path::{Path, PathBuf};
 
 use super::document::{Array, Document, VtuOptions};
 use super::number::NumberType::Int32;
+use super::own_points::OwnPoints;
 use super::write::{cells, positions};
 use crate::dataset::{Dataset, Field};
 use crate::error::Error;
@@ -54,24 +55,13 @@ impl Surfaces {
     fn of(dataset: &Dataset) -> Result<Self, String> {
         dataset.check_lengths()?;
         let mesh = &dataset.mesh;
-        let vertices = mesh.triangles.simplices.as_flattened();
-        let mut kept: Vec<usize> = vertices.iter().map(|&vertex| vertex as usize).collect();
-        kept.sort_unstable();
-        kept.dedup();
-        if let Some(&last) = kept.last().filter(|&&last| last >= mesh.points.len()) {
-            let count = mesh.points.len();
-            return Err(format!("a tagged triangle has the vertex {last}, but there are {count}"));
-        }
-        let mut renumbered = vec![0; mesh.points.len()];
-        for (number, &vertex) in kept.iter().enumerate() {
-            renumbered[vertex] = number as u32;
-        }
-        let triangles = mesh.triangles.simplices.iter();
+        let vertices = mesh.triangles.simplices.as_flattened().iter().copied();
+        let own = OwnPoints::used(vertices, mesh.points.len(), "a tagged triangle")?;
         Ok(Self {
-            points: kept.iter().map(|&vertex| mesh.points[vertex]).collect(),
-            triangles: triangles.map(|t| t.map(|v| renumbered[v as usize])).collect(),
+            points: own.of(&mesh.points),
+            triangles: own.renumber(mesh.triangles.simplices.iter()),
             tags: mesh.triangles.tags.clone(),
-            fields: dataset.point_fields.iter().map(|field| field.subset(&kept)).collect(),
+            fields: dataset.point_fields.iter().map(|field| field.subset(&own.kept)).collect(),
             groups: mesh.groups.iter().filter(|g| g.dimension == 2).cloned().collect(),
         })
     }

@@ -21,7 +21,8 @@ pub fn write(path: &Path, dataset: &Dataset) -> Result<(), Error> {
 ///
 /// Its cells are the tets, with the cell array `region` (Int32) and one array a
 /// field (Float64 or Int64). Group names, tagged triangles, edges and vertices,
-/// and features are in `FieldData`, in arrays whose names start with `octruss:`.
+/// features, and which fields are derived are in `FieldData`, in arrays whose
+/// names start with `octruss:`.
 /// Notes are not written. The file appears whole or not at all.
 ///
 /// # Errors
@@ -38,7 +39,8 @@ fn document(dataset: &Dataset) -> Result<Document<'_>, String> {
     refuse_name(&dataset.cell_fields, REGION)?;
     let mesh = &dataset.mesh;
     let regions = Array::numbers(REGION, Int32, 1, mesh.regions.as_slice());
-    let side = field_data::mesh_arrays(mesh)?;
+    let mut side = field_data::mesh_arrays(mesh)?;
+    side.extend(field_data::derived_arrays(dataset));
     Ok(Document {
         points: mesh.points.len(),
         cells: mesh.tets.len(),

@@ -44,10 +44,11 @@ fn groups(mesh: &Description) -> String {
 fn fields(mesh: &Description) -> String {
     let points = mesh.point_fields.iter().map(|field| ("vertex", field));
     let cells = mesh.cell_fields.iter().map(|field| ("tet", field));
+    let corners = mesh.corner_fields.iter().map(|field| ("corner of a tet", field));
     let line = |(on, field): (&str, &octruss::describe::FieldReport)| {
         format!("  {} ({} a {on})\n", field.name, field.components)
     };
-    let lines: String = points.chain(cells).map(line).collect();
+    let lines: String = points.chain(cells).chain(corners).map(line).collect();
     if lines.is_empty() { lines } else { format!("\n  fields\n{lines}") }
 }
 

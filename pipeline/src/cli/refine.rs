@@ -98,6 +98,13 @@ impl Refine {
         let (state, _) = run_stages(&stages, None, [here, here], &|stage, stages, label, news| {
             display.show(stage, stages, label, news);
         })?;
+        for field in &state.sided_fields.fields {
+            let name = &field.name;
+            super::say(&format!(
+                "note: the field `{name}`, given at the corners of tets, was left out; \
+                 `octruss run` writes it, for each region by itself"
+            ));
+        }
         Ok(state.into_dataset())
     }
 }

@@ -163,12 +163,9 @@ fn as_text(local: &LocalMatrix, spectrum: &Eigenvalues, verdict: &Verdict) -> St
 
 fn write_map(path: &Path, map: CharacteristicMap) -> anyhow::Result<()> {
     let layers = map.layers.iter().map(|&layer| i64::from(layer)).collect();
-    let preimage = Field {
-        name: "preimage".into(),
-        components: 3,
-        values: Values::Float(map.preimage.into_flattened()),
-    };
-    let layer = Field { name: "layer".into(), components: 1, values: Values::Integer(layers) };
+    let preimage = Values::Float(map.preimage.into_flattened());
+    let preimage = Field::new("preimage", 3, preimage);
+    let layer = Field::new("layer", 1, Values::Integer(layers));
     let point_fields = vec![preimage, layer];
     Ok(write(path, &Dataset { mesh: map.image, point_fields, ..Dataset::default() })?)
 }

@@ -5,6 +5,7 @@ use octruss_meshio::{Field, Values};
 use serde::{Deserialize, Serialize};
 
 use super::Context;
+use super::corner_fields::CornerFields;
 use crate::describe::FindingReport;
 use crate::error::Error;
 use crate::state::State;
@@ -35,13 +36,18 @@ impl Check {
     pub(super) fn run(&self, state: &mut State, context: &Context) -> Result<CheckReport, Error> {
         let dataset = state.dataset.take().ok_or_else(|| context.order("import"))?;
         let options = CheckOptions { reorient: self.reorient };
+        let corners = CornerFields::new(&dataset);
         let Checked { mesh, findings, kept_vertices } = octruss_mesh::check(dataset.mesh, &options)
             .map_err(|source| Error::Unsound { path: state.path.clone(), source })?;
+        state.sided_fields = corners.sided(&mesh, kept_vertices.as_deref());
+        // What was computed from this mesh would not hold on a finer one.
+        let data = |fields: Vec<Field>| fields.into_iter().filter(|field| !field.derived);
+        let point_fields = data(dataset.point_fields);
         state.point_fields = match kept_vertices {
-            Some(kept) => dataset.point_fields.iter().map(|field| subset(field, &kept)).collect(),
-            None => dataset.point_fields,
+            Some(kept) => point_fields.map(|field| subset(&field, &kept)).collect(),
+            None => point_fields.collect(),
         };
-        state.cell_fields = dataset.cell_fields;
+        state.cell_fields = data(dataset.cell_fields).collect();
         let report = CheckReport {
             vertices: mesh.points().len(),
             tets: mesh.tets().len(),

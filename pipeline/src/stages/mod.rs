@@ -1,9 +1,12 @@
 //! The steps of a run: one file each, with its options, what it does and what
 //! it reports.
 
+mod carried_fields;
 mod check;
+mod corner_fields;
 mod groups;
 mod import;
+mod jumps;
 mod multigrid;
 mod poisson;
 mod solve;
@@ -16,12 +19,15 @@ use std::path::Path;
 use serde::{Deserialize, Serialize};
 use toml::Spanned;
 
+pub use carried_fields::{CarriedFields, FieldFigures};
 pub use check::{Check, CheckReport};
 pub use import::{Import, ImportReport};
 pub use multigrid::SolveFigures;
 pub use solve::{OnSurface, Problem, Solve, SolveReport};
 pub use subdivide::Subdivide;
-pub use subdivide_report::{GuardFigures, LevelReport, MarkingFigures, Strata, SubdivideReport};
+pub use subdivide_report::{
+    GuardFigures, LevelReport, MarkingFigures, ReasonCounts, Strata, SubdivideReport,
+};
 pub use write::{Write, WriteReport};
 
 use crate::error::Error;
@@ -54,7 +60,7 @@ pub enum Done {
     /// Of [`Stage::Check`].
     Check(CheckReport),
     /// Of [`Stage::Subdivide`].
-    Subdivide(SubdivideReport),
+    Subdivide(Box<SubdivideReport>),
     /// Of [`Stage::Solve`].
     Solve(SolveReport),
     /// Of [`Stage::Write`].
@@ -144,7 +150,9 @@ impl Stage {
         match self {
             Self::Import(options) => options.run(state, context).map(Done::Import),
             Self::Check(options) => options.run(state, context).map(Done::Check),
-            Self::Subdivide(options) => options.run(state, context).map(Done::Subdivide),
+            Self::Subdivide(options) => {
+                options.run(state, context).map(|report| Done::Subdivide(Box::new(report)))
+            }
             Self::Solve(options) => options.run(state, context).map(Done::Solve),
             Self::Write(options) => options.run(state, context).map(Done::Write),
         }

@@ -2,15 +2,17 @@
 
 use octruss_mesh::subdivide::MAX_TETS;
 use octruss_mesh::{
-    Diagonal, ExtraFeatures, FeatureOptions, Marking, Scheme, Step, TetMesh, Topology,
+    Diagonal, ExtraFeatures, FeatureOptions, Marking, Overshoot, Scheme, Step, TetMesh, Topology,
     marking_report,
 };
 use serde::Deserialize;
 use toml::Spanned;
 
 use super::Context;
+use super::carried_fields::{CarriedFields, field_notes};
 use super::groups::group_ids;
-use super::subdivide_report::{LevelReport, SubdivideReport};
+use super::jumps::start_jumps;
+use super::subdivide_report::{LevelReport, Strata, SubdivideReport};
 use crate::amount::short;
 use crate::error::Error;
 use crate::recipe::{Degrees, Fraction, Named, SchemeName};
@@ -35,6 +37,13 @@ pub struct Subdivide {
     pub diagonal: Named<Diagonal>,
     /// Keep the mean ratio η above this by pulling vertices back to the linear rule.
     pub min_quality: Option<Fraction>,
+    /// Fields on vertices or tets that may jump between regions, by name: each is
+    /// carried for every region by itself. Those that the file gives at the corners
+    /// of each tet are carried so without being named.
+    pub jumps: Vec<Spanned<String>>,
+    /// Keep each value of a field within the range of those it is made from;
+    /// positions are never clamped.
+    pub clamp: bool,
     /// How the marked pair of each coarse tet is chosen; `shortest` unless given.
     pub marking: Option<Named<Marking>>,
     /// Edges stay sharp where outward normals differ by more, in degrees; 180
@@ -63,6 +72,8 @@ impl Default for Subdivide {
             interior: None,
             diagonal: Named(Diagonal::default()),
             min_quality: None,
+            jumps: Vec::new(),
+            clamp: false,
             marking: None,
             crease_angle: None,
             group_curves: None,
@@ -83,21 +94,30 @@ impl Subdivide {
     ) -> Result<SubdivideReport, Error> {
         let mesh = state.finest().ok_or_else(|| context.order("check"))?;
         self.refuse_too_many(mesh.tets().len(), context)?;
-        let notes = self.without_effect(mesh);
-        context.remark(&notes);
+        let mut notes = self.without_effect(mesh);
         let features = self.feature_options(mesh, context)?;
         // A mesh with features is marked already.
         let unmarked = mesh.features().is_none();
         let unmarked = unmarked.then(|| marking_report(&Topology::new(mesh.raw())));
-        let hierarchy = state.levels(&features).ok_or_else(|| context.order("check"))?;
-        let mut report = SubdivideReport::new(self.scheme(), hierarchy, unmarked, notes);
+        notes.extend(start_jumps(&self.jumps, state, context)?);
+        notes.extend(field_notes(state, self.levels));
+        context.remark(&notes);
+        state.levels(&features);
+        let hierarchy = state.hierarchy.as_ref().ok_or_else(|| context.order("check"))?;
+        let reasons = Some(&state.feature_reasons).filter(|_| hierarchy.refinements.is_empty());
+        let strata = Strata::of_finest(hierarchy, reasons);
+        let mut report = SubdivideReport::new(self.scheme(), hierarchy, unmarked, strata);
+        report.notes = notes;
+        let mut clamped = 0;
         for number in 1..=usize::from(self.levels) {
             let what = format!("level {number} of {}", self.levels);
-            let level = context
+            let (level, more) = context
                 .progress
                 .step(number, self.levels.into(), &what, || self.add_level(state, context))?;
             report.add(level);
+            clamped += more;
         }
+        report.fields = CarriedFields::of(state, self.clamp.then_some(clamped));
         Ok(report)
     }
 
@@ -105,14 +125,15 @@ impl Subdivide {
         &self,
         state: &mut State,
         context: &Context,
-    ) -> Result<(LevelReport, String), Error> {
-        state
-            .refine(self.step())
+    ) -> Result<((LevelReport, usize), String), Error> {
+        let overshoot = if self.clamp { Overshoot::Clamp } else { Overshoot::Allow };
+        let clamped = state
+            .refine(self.step(), overshoot)
             .map_err(|source| Error::Subdivide { stage: context.progress.label.into(), source })?;
         let hierarchy = state.hierarchy.as_ref().ok_or_else(|| context.order("check"))?;
         let report = LevelReport::of_finest(hierarchy);
         let tets = format!("{} tets", short(report.tets));
-        Ok((report, tets))
+        Ok(((report, clamped), tets))
     }
 
     /// Parameters of a scheme other than the one chosen.
@@ -162,7 +183,7 @@ impl Subdivide {
         )))
     }
 
-    /// A note about the options that come too late, if any are given.
+    /// Notes about options that come too late, or that this scheme has no use for.
     fn without_effect(&self, mesh: &TetMesh) -> Vec<String> {
         let given = [
             ("marking", self.marking.is_some()),
@@ -176,13 +197,20 @@ impl Subdivide {
         ];
         let given: Vec<&str> =
             given.into_iter().filter(|(_, is)| *is).map(|(key, _)| key).collect();
-        if mesh.features().is_none() || given.is_empty() {
-            return Vec::new();
+        let mut notes = Vec::new();
+        if mesh.features().is_some() && !given.is_empty() {
+            let given = given.join(", ");
+            notes.push(format!(
+                "what stays sharp is recorded, in the file or earlier: {given} without effect"
+            ));
         }
-        let given = given.join(", ");
-        vec![format!(
-            "what stays sharp is recorded, in the file or earlier: {given} without effect"
-        )]
+        if self.clamp && !self.scheme().overshoots() {
+            notes.push(format!(
+                "no weight of the {} scheme is negative: clamp without effect",
+                self.scheme().name()
+            ));
+        }
+        notes
     }
 
     fn feature_options(&self, mesh: &TetMesh, context: &Context) -> Result<FeatureOptions, Error> {

@@ -3,9 +3,10 @@
 use std::collections::BTreeMap;
 
 use octruss_mesh::quality::{QualitySummary, summarise};
-use octruss_mesh::{Hierarchy, MarkingReport, Scheme, marking_report};
+use octruss_mesh::{FeatureReasons, Hierarchy, MarkingReport, Reason, Scheme, marking_report};
 use serde::Serialize;
 
+use super::carried_fields::CarriedFields;
 use crate::amount::short;
 
 /// All levels, the coarsest first.
@@ -27,7 +28,9 @@ pub struct SubdivideReport {
     pub strata: Strata,
     /// The marking of the coarsest level.
     pub marking: MarkingFigures,
-    /// Options that had no effect.
+    /// What became of the fields.
+    pub fields: CarriedFields,
+    /// Options that had no effect, and remarks on fields.
     pub notes: Vec<String>,
     /// One a level.
     pub levels: Vec<LevelReport>,
@@ -43,7 +46,18 @@ pub struct Strata {
     pub corners: usize,
     /// Faces of surfaces: the boundary, interfaces and the groups asked for.
     pub surface_faces: usize,
+    /// Why edges are curves: how many for each [`Reason`]. Of the first stage that
+    /// subdivides only.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub curve_reasons: Option<ReasonCounts>,
+    /// Why vertices are fixed, also those where curves end or cross.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub point_reasons: Option<ReasonCounts>,
 }
+
+/// How many parts of the mesh each reason holds for, by its name; reasons
+/// that hold nowhere are listed, too.
+pub type ReasonCounts = BTreeMap<&'static str, usize>;
 
 /// How far the marking agrees, before it is chosen and after.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -94,7 +108,7 @@ impl SubdivideReport {
         scheme: Scheme,
         hierarchy: &Hierarchy,
         unmarked: Option<MarkingReport>,
-        notes: Vec<String>,
+        strata: Strata,
     ) -> Self {
         let level = LevelReport { guard: None, ..LevelReport::of_finest(hierarchy) };
         let marked = marking_report(&hierarchy.topologies[hierarchy.topologies.len() - 1]);
@@ -110,9 +124,10 @@ impl SubdivideReport {
             interior,
             vertices: level.vertices,
             tets: level.tets,
-            strata: Strata::of_finest(hierarchy),
+            strata,
             marking: MarkingFigures::new(unmarked.unwrap_or_else(|| marked.clone()), marked),
-            notes,
+            fields: CarriedFields::default(),
+            notes: Vec::new(),
             levels: vec![level],
         }
     }
@@ -129,7 +144,7 @@ impl SubdivideReport {
 }
 
 impl Strata {
-    fn of_finest(hierarchy: &Hierarchy) -> Self {
+    pub(super) fn of_finest(hierarchy: &Hierarchy, reasons: Option<&FeatureReasons>) -> Self {
         let mesh = hierarchy.finest();
         let topology = &hierarchy.topologies[hierarchy.topologies.len() - 1];
         let features = mesh.features().cloned().unwrap_or_default();
@@ -138,8 +153,16 @@ impl Strata {
             crease_edges: features.creases.len(),
             corners: features.corners.len(),
             surface_faces: strata.is_surface.iter().filter(|is| **is).count(),
+            curve_reasons: reasons.map(|reasons| count(&Reason::OF_CURVES, &reasons.curves)),
+            point_reasons: reasons.map(|reasons| count(&Reason::OF_POINTS, &reasons.points)),
         }
     }
+}
+
+fn count<T>(listed: &[Reason], parts: &[(T, Reason)]) -> ReasonCounts {
+    let mut counts: ReasonCounts = listed.iter().map(|reason| (reason.name(), 0)).collect();
+    parts.iter().for_each(|(_, reason)| *counts.entry(reason.name()).or_default() += 1);
+    counts
 }
 
 impl MarkingFigures {

@@ -3,8 +3,8 @@
 use std::path::{Path, PathBuf};
 
 use octruss_mesh::quality::mean_ratios;
-use octruss_mesh::{RawMesh, TetMesh};
-use octruss_meshio::{Dataset, Field, pvd, vtu};
+use octruss_mesh::{Strata, TetMesh, Topology};
+use octruss_meshio::{Dataset, Field, Values, pvd, vtu};
 use serde::{Deserialize, Serialize};
 
 use super::Context;
@@ -13,8 +13,11 @@ use crate::error::Error;
 use crate::output::{create_folder, write_with_surfaces};
 use crate::state::State;
 
-/// Writes `solution.vtu` (the finest mesh with every field, region and quality
-/// a cell) and what else is asked for, each file whole or not at all.
+/// Writes `solution.vtu` (the finest mesh with every field, the stratum of each
+/// vertex, and region and quality a cell), `solution.sides.vtu` if there are
+/// fields that jump between regions (the finest mesh taken apart where regions
+/// meet, with these fields), and what else is asked for, each file whole or not
+/// at all.
 #[derive(Debug, Clone, PartialEq, Deserialize)]
 #[serde(deny_unknown_fields, rename_all = "kebab-case", default)]
 pub struct Write {
@@ -22,6 +25,9 @@ pub struct Write {
     pub levels: bool,
     /// `solution.surfaces.vtu`: the tagged surfaces.
     pub surfaces: bool,
+    /// `features.vtu`: the curves and fixed points of the coarsest level, with the
+    /// reason for each.
+    pub features: bool,
 }
 
 /// What was written.
@@ -31,35 +37,53 @@ pub struct WriteReport {
     pub files: Vec<PathBuf>,
     /// The size of all together.
     pub bytes: u64,
+    /// Fields whose names were needed.
+    pub notes: Vec<String>,
 }
 
 impl Default for Write {
     fn default() -> Self {
-        Self { levels: true, surfaces: true }
+        Self { levels: true, surfaces: true, features: true }
     }
 }
 
 impl Write {
     pub(super) fn run(&self, state: &mut State, context: &Context) -> Result<WriteReport, Error> {
         let finest = state.finest().ok_or_else(|| context.order("check"))?;
-        let all_levels: &[TetMesh] = state.hierarchy.as_ref().map_or(&[], |levels| &levels.meshes);
-        let levels = if self.levels { all_levels } else { &[] };
+        let meshes = state.hierarchy.as_ref().map_or(&[][..], |levels| &levels.meshes);
+        let topologies = state.hierarchy.as_ref().map_or(&[][..], |levels| &levels.topologies);
+        let levels = if self.levels { meshes.len() } else { 0 };
         let folder = context.output_folder;
         create_folder(folder)?;
-        let steps = levels.len() + 1;
-        let mut files = context.progress.step(1, steps, "solution.vtu", || {
-            let mut cell_fields = state.cell_fields.clone();
-            set_quality(&mut cell_fields, finest.raw());
-            let point_fields = state.point_fields.clone();
-            let mesh = finest.raw().clone();
-            let solution = Dataset { mesh, point_fields, cell_fields, notes: Vec::new() };
+        let derived = DerivedFields::new(finest, topologies.last());
+        let notes = derived.replaced(state);
+        context.remark(&notes);
+        let mut files = context.progress.step(1, levels + 1, "solution.vtu", || {
+            let mut solution = Dataset {
+                mesh: finest.raw().clone(),
+                point_fields: state.point_fields.clone(),
+                cell_fields: state.cell_fields.clone(),
+                ..Dataset::default()
+            };
+            derived.add_to(&mut solution);
             self.write_solution(&folder.join("solution.vtu"), &solution)
         })?;
+        files.extend(write_sides(&folder.join("solution.sides.vtu"), state)?);
+        if let Some(coarsest) = meshes.first().filter(|_| self.features) {
+            let path = folder.join("features.vtu");
+            vtu::write_features(&path, coarsest, &state.feature_reasons)?;
+            files.push(path);
+        }
         let mut entries = Vec::new();
-        for (number, mesh) in levels.iter().enumerate() {
+        for (number, (mesh, topology)) in meshes.iter().zip(topologies).take(levels).enumerate() {
             let name = format!("level-{number}.vtu");
             let path = folder.join(&name);
-            context.progress.step(number + 2, steps, &name, || write_level(&path, mesh))?;
+            context.progress.step(number + 2, levels + 1, &name, || {
+                if number + 1 == meshes.len() {
+                    return write_level(&path, mesh, &derived);
+                }
+                write_level(&path, mesh, &DerivedFields::new(mesh, Some(topology)))
+            })?;
             files.push(path);
             entries.push((number as f64, name));
         }
@@ -69,7 +93,7 @@ impl Write {
             files.push(path);
         }
         let bytes = files.iter().map(|file| size(file)).sum();
-        Ok(WriteReport { files, bytes })
+        Ok(WriteReport { files, bytes, notes })
     }
 
     fn write_solution(
@@ -88,18 +112,80 @@ impl Write {
     }
 }
 
-fn write_level(path: &Path, mesh: &TetMesh) -> Result<((), String), Error> {
+fn write_level(
+    path: &Path,
+    mesh: &TetMesh,
+    derived: &DerivedFields,
+) -> Result<((), String), Error> {
     let mut level = Dataset { mesh: mesh.raw().clone(), ..Dataset::default() };
-    set_quality(&mut level.cell_fields, mesh.raw());
+    derived.add_to(&mut level);
     vtu::write(path, &level)?;
     Ok(((), amount::bytes(size(path))))
 }
 
-/// Adds the mean ratio η of each tet, in place of a field of that name that
-/// came with the input.
-fn set_quality(fields: &mut Vec<Field>, mesh: &RawMesh) {
-    fields.retain(|field| field.name != "quality");
-    fields.push(Field::scalar("quality", mean_ratios(mesh)));
+/// Writes the fields that jump on a mesh with one vertex a side, if there are any.
+fn write_sides(path: &Path, state: &State) -> Result<Option<PathBuf>, Error> {
+    let (Some(mesh), Some(sides)) = (state.finest(), &state.sided_fields.sides) else {
+        return Ok(None);
+    };
+    let apart = Dataset {
+        mesh: sides.split_mesh(mesh),
+        point_fields: state.sided_fields.fields.clone(),
+        ..Dataset::default()
+    };
+    vtu::write(path, &apart)?;
+    Ok(Some(path.into()))
+}
+
+/// What is computed from a mesh to look at it.
+struct DerivedFields {
+    /// The dimension of each vertex's stratum: 0 fixed, 1 curve, 2 surface, 3 solid;
+    /// none of a mesh whose features are not known yet.
+    stratum: Option<Field>,
+    /// The mean ratio η of each tet.
+    quality: Field,
+}
+
+impl DerivedFields {
+    fn new(mesh: &TetMesh, topology: Option<&Topology>) -> Self {
+        let strata = topology.zip(mesh.features());
+        let strata = strata.map(|(topology, features)| Strata::new(mesh.raw(), topology, features));
+        let stratum = strata.map(|strata| {
+            let dimensions = strata.vertex_dimensions.into_iter().map(i64::from).collect();
+            Field::derived("stratum", Values::Integer(dimensions))
+        });
+        let quality = Field::derived("quality", Values::Float(mean_ratios(mesh.raw())));
+        Self { stratum, quality }
+    }
+
+    /// Adds them, in place of fields of their names that came with the input.
+    fn add_to(&self, dataset: &mut Dataset) {
+        let Dataset { point_fields, cell_fields, .. } = dataset;
+        for (fields, derived) in
+            [(point_fields, self.stratum.as_ref()), (cell_fields, Some(&self.quality))]
+        {
+            let Some(derived) = derived else { continue };
+            fields.retain(|field| field.name != derived.name);
+            fields.push(derived.clone());
+        }
+    }
+
+    /// A remark about each field whose place they take.
+    fn replaced(&self, state: &State) -> Vec<String> {
+        let has = |fields: &[Field], derived: &Field| {
+            fields.iter().any(|field| field.name == derived.name)
+        };
+        let stratum = self.stratum.iter().filter(|derived| has(&state.point_fields, derived));
+        let quality =
+            [&self.quality].into_iter().filter(|derived| has(&state.cell_fields, derived));
+        let note = |field: &Field| {
+            let name = &field.name;
+            format!(
+                "the mesh file has a field `{name}`, which was left out: the name is that of a field computed here; rename it to keep it"
+            )
+        };
+        stratum.chain(quality).map(note).collect()
+    }
 }
 
 fn size(path: &Path) -> u64 {

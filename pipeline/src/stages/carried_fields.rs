@@ -1,0 +1,100 @@
+//! What became of the fields on the way to the finest mesh.
+
+use std::collections::BTreeMap;
+
+use octruss_meshio::{Field, Values};
+use serde::Serialize;
+
+use crate::state::{State, floats};
+
+/// The fields on the finest mesh, by name.
+#[derive(Debug, Clone, Default, PartialEq, Serialize)]
+pub struct CarriedFields {
+    /// Moved by the same matrix as the vertices.
+    pub vertices: BTreeMap<String, FieldFigures>,
+    /// The same, for each region that touches a vertex by itself.
+    pub sides: BTreeMap<String, FieldFigures>,
+    /// Inherited from tet to tet.
+    pub tets: BTreeMap<String, FieldFigures>,
+    /// How many values were brought back into the range of their stencils, on
+    /// all levels of the stage together; only where that was asked for.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub clamped: Option<usize>,
+}
+
+/// One field.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct FieldFigures {
+    /// Values a vertex, side or tet.
+    pub components: usize,
+    /// The least finite value of any component; null if there is none.
+    pub minimum: Option<f64>,
+    /// The greatest.
+    pub maximum: Option<f64>,
+    /// How many values are no numbers.
+    pub not_numbers: usize,
+    /// The greatest difference between two sides of a vertex, of fields that
+    /// may jump.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub largest_jump: Option<f64>,
+}
+
+impl CarriedFields {
+    pub(super) fn of(state: &State, clamped: Option<usize>) -> Self {
+        let figures = |fields: &[Field]| -> BTreeMap<String, FieldFigures> {
+            fields.iter().map(|field| (field.name.clone(), FieldFigures::of(field))).collect()
+        };
+        let mut sides = figures(&state.sided_fields.fields);
+        if let Some(pairs) = &state.sided_fields.sides {
+            for field in &state.sided_fields.fields {
+                let jump = pairs.largest_jump(&floats(field), field.components);
+                let figures = sides.get_mut(&field.name);
+                figures.into_iter().for_each(|figures| figures.largest_jump = Some(jump));
+            }
+        }
+        Self {
+            vertices: figures(&state.point_fields),
+            sides,
+            tets: figures(&state.cell_fields),
+            clamped,
+        }
+    }
+}
+
+impl FieldFigures {
+    fn of(field: &Field) -> Self {
+        let values = floats(field);
+        let numbers = values.iter().copied().filter(|value| value.is_finite());
+        Self {
+            components: field.components,
+            minimum: numbers.clone().reduce(f64::min),
+            maximum: numbers.reduce(f64::max),
+            not_numbers: values.iter().filter(|value| value.is_nan()).count(),
+            largest_jump: None,
+        }
+    }
+}
+
+/// Remarks on fields at vertices that refining changes in ways that may surprise.
+pub(super) fn field_notes(state: &State, levels: u8) -> Vec<String> {
+    let mut notes = Vec::new();
+    for field in state.point_fields.iter().filter(|_| levels > 0) {
+        let name = &field.name;
+        if matches!(field.values, Values::Integer(_)) {
+            notes.push(format!(
+                "the field `{name}` holds whole numbers; refined, it holds means of them"
+            ));
+        }
+        let values = floats(field);
+        let tuples = values.chunks(field.components.max(1));
+        let missing = tuples.filter(|tuple| tuple.iter().any(|value| value.is_nan())).count();
+        if missing > 0 {
+            notes.push(format!(
+                "the field `{name}` is no number at {missing} of {} vertices, and none at new \
+                 vertices that read these",
+                field.tuples()
+            ));
+        }
+    }
+    notes
+}

@@ -420,11 +420,12 @@ fn a_level_that_would_invert_tets_is_refused_and_nothing_written() {
     std::fs::write(&mesh, FOLDING).unwrap();
     let config = "name = \"folding\"\n[[stage]]\nkind = \"import\"\npath = \"folding.msh\"\n\
         [[stage]]\nkind = \"check\"\n[[stage]]\nkind = \"subdivide\"\nlevels = 2\n\
-        crease-angle = 180\n[[stage]]\nkind = \"write\"\n";
+        crease-angle = 180\nmin-quality = \"off\"\n[[stage]]\nkind = \"write\"\n";
     std::fs::write(folder.path().join("c.toml"), config).unwrap();
     let before = files(folder.path());
     let refine = "refine folding.msh out.vtu --scheme box-spline --levels 2 --crease-angle 180";
-    for arguments in [refine, "run c.toml"] {
+    let unguarded = format!("{refine} --min-quality off");
+    for arguments in [&unguarded, "run c.toml"] {
         let arguments: Vec<&str> = arguments.split(' ').collect();
         let output = octruss(folder.path(), &[&arguments[..], &["--quiet"]].concat());
         let message = stderr(&output);
@@ -433,7 +434,9 @@ fn a_level_that_would_invert_tets_is_refused_and_nothing_written() {
         assert!(message.starts_with(says), "{message}");
         assert_eq!(files(folder.path()), before);
     }
-    // A guard that keeps some quality keeps the volume positive.
-    let arguments: Vec<&str> = refine.split(' ').chain(["--min-quality", "0.05"]).collect();
+    // The guard that holds unless it is switched off keeps the volume positive,
+    // as does a lower floor.
+    let arguments: Vec<&str> = refine.split(' ').collect();
     succeed(folder.path(), &arguments);
+    succeed(folder.path(), &[&arguments[..], &["--min-quality", "0.05"]].concat());
 }

@@ -9,6 +9,8 @@ pub use found::find_features;
 pub use reasons::{FeatureReasons, Reason};
 
 use crate::marking::{Marking, mark};
+use crate::quality::smallest_mean_ratio;
+use crate::raw_mesh::Features;
 use crate::tet_mesh::TetMesh;
 use crate::topology::Topology;
 
@@ -59,6 +61,7 @@ pub fn prepare(mesh: TetMesh, options: &FeatureOptions) -> TetMesh {
     let mut raw = mesh.into_raw();
     let topology = Topology::new(&raw);
     mark(&mut raw, &topology, options.marking);
-    raw.features = Some(find_features(&raw, &topology, options));
+    let initial_quality = Some(smallest_mean_ratio(&raw));
+    raw.features = Some(Features { initial_quality, ..find_features(&raw, &topology, options) });
     TetMesh::trusted(raw)
 }

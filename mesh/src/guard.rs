@@ -10,10 +10,12 @@
 use rayon::prelude::*;
 
 use crate::chunks::CHUNK;
+use crate::quality::smallest_mean_ratio;
 use crate::raw_mesh::RawMesh;
 use crate::red_split::Parents;
-use crate::reference_tet::six_volumes;
+use crate::reference_tet::{corners, six_volumes};
 use crate::subdivision_matrix::SubdivisionMatrix;
+use crate::tet_mesh::TetMesh;
 
 /// The shares of the linear rule that are tried are multiples of 1 / STEPS.
 const STEPS: u8 = 32;
@@ -29,25 +31,51 @@ pub struct GuardReport {
     pub linear: usize,
 }
 
+/// The floor that serves where none is chosen: half of the smallest mean ratio
+/// that the mesh began with, as its features record it, or has now.
+pub fn usual_floor(mesh: &TetMesh) -> f64 {
+    let recorded = mesh.features().and_then(|features| features.initial_quality);
+    0.5 * recorded.unwrap_or_else(|| smallest_mean_ratio(mesh.raw()))
+}
+
 /// The smallest mean ratio among a tet and its descendants by red splits with
 /// inherited marks; 0 or less if it is flat or inverted.
-///
-/// With e1 = x1 − x0, e2 = x2 − x1, e3 = x3 − x2 the three classes are the
-/// lattice paths in cyclic orders of e1, e2, e3. All have the same volume, and
-/// squared edges Σ|ei|² + |e1 + e2 + e3|² + two of the three |ei + ej|².
 pub fn lattice_mean_ratio(corners: [[f64; 3]; 4]) -> f64 {
-    let volume = six_volumes(corners);
-    let [e1, e2, e3] = [0, 1, 2].map(|i| difference(corners[i + 1], corners[i]));
-    let sums = [sum(e1, e2), sum(e2, e3), sum(e3, e1)].map(square);
-    let least = sums[0].min(sums[1]).min(sums[2]);
-    let squares = square(e1)
-        + square(e2)
-        + square(e3)
-        + square(sum(sum(e1, e2), e3))
-        + sums.iter().sum::<f64>()
-        - least;
+    let Lattice { volume, squares } = Lattice::new(corners);
     // η = 12 (3 V)^(2/3) / Σ L² with six V at hand.
     12.0 * (0.25 * volume * volume).cbrt().copysign(volume) / squares
+}
+
+/// What the mean ratio of a tet's lattice is made of.
+///
+/// With e1 = x1 − x0, e2 = x2 − x1, e3 = x3 − x2 the three classes of
+/// descendants are the lattice paths in cyclic orders of e1, e2, e3. All have
+/// the same volume, and squared edges Σ|ei|² + |e1 + e2 + e3|² + two of the
+/// three |ei + ej|².
+struct Lattice {
+    /// Six times the volume.
+    volume: f64,
+    /// The greatest sum of squared edges.
+    squares: f64,
+}
+
+impl Lattice {
+    #[inline]
+    fn new(corners: [[f64; 3]; 4]) -> Self {
+        let [x0, x1, x2, x3] = corners;
+        let (e1, e2, e3) = (difference(x1, x0), difference(x2, x1), difference(x3, x2));
+        let (s12, s23, s31) = (square(sum(e1, e2)), square(sum(e2, e3)), square(sum(e3, e1)));
+        let ends = square(e1) + square(e2) + square(e3) + square(sum(sum(e1, e2), e3));
+        let squares = ends + s12 + s23 + s31 - s12.min(s23).min(s31);
+        Self { volume: six_volumes(corners), squares }
+    }
+
+    /// Whether η is at least `floor` > 0: compared as cubes, which need no root.
+    #[inline]
+    fn is_at_least(&self, floor: f64) -> bool {
+        let allowed = floor * self.squares / 12.0;
+        self.volume > 0.0 && 0.25 * self.volume * self.volume >= allowed * allowed * allowed
+    }
 }
 
 fn difference(p: [f64; 3], q: [f64; 3]) -> [f64; 3] {
@@ -76,56 +104,86 @@ impl Guard<'_> {
     /// Pulls rows back until no tet is below the floor or its parent, and moves
     /// the points with them.
     pub fn apply(&self, matrix: &mut SubdivisionMatrix, points: &mut [[f64; 3]]) -> GuardReport {
+        let mut report = GuardReport { floor: self.floor, ..GuardReport::default() };
+        let mut bad = self.too_flat(points, |_| true);
+        if bad.is_empty() {
+            return report;
+        }
         let smooth = points.to_vec();
         let mut shares = vec![0u8; points.len()];
-        loop {
-            let raised = self.raise(&smooth, &shares);
-            if raised.is_empty() {
-                break;
+        while !bad.is_empty() {
+            let mut moved = vec![false; points.len()];
+            for (tet, share) in self.raise(&bad, &smooth, &shares) {
+                for vertex in tet.map(|v| v as usize) {
+                    if shares[vertex] < share {
+                        shares[vertex] = share;
+                        points[vertex] = self.position(&smooth, vertex, share);
+                        moved[vertex] = true;
+                    }
+                }
             }
-            for (vertex, share) in raised {
-                let current = &mut shares[vertex as usize];
-                *current = share.max(*current);
-                points[vertex as usize] = self.position(&smooth, vertex, *current);
-            }
+            bad = self.too_flat(points, |tet| tet.iter().any(|&v| moved[v as usize]));
         }
         self.blend_rows(matrix, &shares);
-        GuardReport {
-            floor: self.floor,
-            pulled_back: shares.iter().filter(|&&share| share > 0).count(),
-            linear: shares.iter().filter(|&&share| share == STEPS).count(),
-        }
+        report.pulled_back = shares.iter().filter(|&&share| share > 0).count();
+        report.linear = shares.iter().filter(|&&share| share == STEPS).count();
+        report
     }
 
-    /// For each tet that is too flat, the least share for its four vertices
-    /// that mends it by itself.
-    fn raise(&self, smooth: &[[f64; 3]], shares: &[u8]) -> Vec<(u32, u8)> {
-        let mend = |(t, tet): (usize, &[u32; 4])| {
-            let parent = self.parents.vertices(t / 8).map(|v| self.coarse.points[v as usize]);
-            let quality = |least: u8| {
-                let at = |v: u32| self.position(smooth, v, shares[v as usize].max(least));
-                lattice_mean_ratio(tet.map(at))
+    /// The tets below the floor and their parent, among those asked for.
+    fn too_flat(
+        &self,
+        points: &[[f64; 3]],
+        asked_for: impl Fn(&[u32; 4]) -> bool + Sync,
+    ) -> Vec<u32> {
+        let children = self.fine_tets.as_chunks::<8>().0;
+        let bad = |(parent, children): (usize, &[[u32; 4]; 8])| {
+            // Nearly all are above the floor itself, whatever the parent.
+            let below = |tet: &[u32; 4]| {
+                asked_for(tet) && !Lattice::new(corners(points, *tet)).is_at_least(self.floor)
             };
-            // Rounding must not make a tet worse than a parent at the floor.
-            let floor = self.floor.min(lattice_mean_ratio(parent)) * (1.0 - 1e-9);
-            if quality(0) >= floor {
-                return None;
+            let mut bad = [false; 8];
+            if children.iter().any(below) {
+                let floor = self.floor_within(parent);
+                for (bad, tet) in bad.iter_mut().zip(children) {
+                    let is_fine = Lattice::new(corners(points, *tet)).is_at_least(floor);
+                    *bad = asked_for(tet) && !is_fine;
+                }
             }
-            let least = (1..STEPS).find(|&share| quality(share) >= floor).unwrap_or(STEPS);
-            tet.iter().any(|&v| shares[v as usize] < least).then_some((*tet, least))
+            (0..8).filter(move |&child| bad[child]).map(move |child| (8 * parent + child) as u32)
         };
-        let bad: Vec<([u32; 4], u8)> =
-            self.fine_tets.par_iter().with_min_len(CHUNK).enumerate().filter_map(mend).collect();
-        bad.into_iter().flat_map(|(tet, share)| tet.map(|v| (v, share))).collect()
+        children.par_iter().with_min_len(CHUNK).enumerate().flat_map_iter(bad).collect()
+    }
+
+    /// What the children of a tet must reach. Rounding must not make one worse
+    /// than a parent at the floor.
+    fn floor_within(&self, parent: usize) -> f64 {
+        let corners = corners(&self.coarse.points, self.parents.vertices(parent));
+        self.floor.min(lattice_mean_ratio(corners)) * (1.0 - 1e-9)
+    }
+
+    /// For each tet that is too flat, its vertices and the least share for all
+    /// of them that mends it by itself.
+    fn raise(&self, bad: &[u32], smooth: &[[f64; 3]], shares: &[u8]) -> Vec<([u32; 4], u8)> {
+        let mend = |&t: &u32| {
+            let tet = self.fine_tets[t as usize];
+            let floor = self.floor_within(t as usize / 8);
+            let mends = |least: &u8| {
+                let at = |v: u32| self.position(smooth, v as usize, shares[v as usize].max(*least));
+                Lattice::new(tet.map(at)).is_at_least(floor)
+            };
+            (tet, (1..STEPS).find(mends).unwrap_or(STEPS))
+        };
+        bad.par_iter().map(mend).collect()
     }
 
     /// Where a fine vertex is with a share of the linear rule.
-    fn position(&self, smooth: &[[f64; 3]], vertex: u32, share: u8) -> [f64; 3] {
-        let moved = smooth[vertex as usize];
+    fn position(&self, smooth: &[[f64; 3]], vertex: usize, share: u8) -> [f64; 3] {
+        let moved = smooth[vertex];
         if share == 0 {
             return moved;
         }
-        let linear = self.linear_position(vertex as usize);
+        let linear = self.linear_position(vertex);
         let t = f64::from(share) / f64::from(STEPS);
         std::array::from_fn(|k| (1.0 - t) * moved[k] + t * linear[k])
     }

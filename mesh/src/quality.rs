@@ -5,7 +5,7 @@ use rayon::prelude::*;
 
 use crate::chunks::CHUNK;
 use crate::raw_mesh::RawMesh;
-use crate::reference_tet::{EDGES, FACES, six_volumes};
+use crate::reference_tet::{EDGES, FACES, corners, six_volumes};
 
 /// How many equal bins the histograms of η and of the radius ratio have.
 pub const RATIO_BINS: usize = 10;
@@ -94,10 +94,17 @@ fn point(p: [f64; 3]) -> Vector3<f64> {
     Vector3::from(p)
 }
 
+/// The smallest η of a mesh; infinite without tets.
+pub fn smallest_mean_ratio(mesh: &RawMesh) -> f64 {
+    let ratio = |&tet: &[u32; 4]| mean_ratio(corners(&mesh.points, tet));
+    let ratios = mesh.tets.par_iter().with_min_len(CHUNK).map(ratio);
+    ratios.reduce(|| f64::INFINITY, f64::min)
+}
+
 /// η of every tet.
 pub fn mean_ratios(mesh: &RawMesh) -> Vec<f64> {
-    let corners = |tet: &[u32; 4]| tet.map(|v| mesh.points[v as usize]);
-    mesh.tets.par_iter().with_min_len(CHUNK).map(|tet| mean_ratio(corners(tet))).collect()
+    let ratio = |&tet: &[u32; 4]| mean_ratio(corners(&mesh.points, tet));
+    mesh.tets.par_iter().with_min_len(CHUNK).map(ratio).collect()
 }
 
 /// Summarises the quality of a mesh; `None` if it has no tets. Vertex numbers
@@ -111,7 +118,7 @@ pub fn summarise(mesh: &RawMesh) -> Option<QualitySummary> {
         .map(|(chunk, tets)| {
             let mut sum = QualitySummary::EMPTY;
             for (i, tet) in tets.iter().enumerate() {
-                sum.add(CHUNK * chunk + i, tet.map(|v| mesh.points[v as usize]));
+                sum.add(CHUNK * chunk + i, corners(&mesh.points, *tet));
             }
             sum
         })

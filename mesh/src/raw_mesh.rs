@@ -55,8 +55,9 @@ pub struct Group {
     pub name: String,
 }
 
-/// What subdivision keeps sharp, found once on the coarsest mesh and inherited.
-#[derive(Debug, Clone, Default, PartialEq, Eq)]
+/// What subdivision keeps sharp, and how good the mesh was before: found once on
+/// the coarsest mesh and inherited.
+#[derive(Debug, Clone, Default, PartialEq)]
 pub struct Features {
     /// Every edge of the curve stratum, ends ascending, sorted, no duplicates.
     pub creases: Vec<[u32; 2]>,
@@ -64,6 +65,9 @@ pub struct Features {
     pub corners: Vec<u32>,
     /// Surface groups whose triangles are surface strata even inside a region; sorted.
     pub surfaces: Vec<i32>,
+    /// The smallest mean ratio η of the coarsest mesh, from which the floor of
+    /// the guard derives; see [`crate::guard::usual_floor`].
+    pub initial_quality: Option<f64>,
     /// What each tet is in the octet truss; empty if all are tetrahedral cells,
     /// as on a mesh that was never refined.
     pub cell_states: Vec<CellState>,

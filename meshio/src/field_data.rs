@@ -138,6 +138,10 @@ pub(crate) fn mesh_arrays(mesh: &RawMesh) -> Result<Vec<SideArray<'_>>, String> 
                 content: SideContent::Ids(Cow::Borrowed(&features.surfaces)),
             },
         ]);
+        if let Some(eta) = features.initial_quality {
+            let content = SideContent::Bytes(eta.to_le_bytes().to_vec());
+            arrays.push(SideArray { name: "initial_quality", components: 1, content });
+        }
         if !features.cell_states.is_empty() {
             let codes = features.cell_states.iter().map(|&state| state_code(state)).collect();
             let content = SideContent::Bytes(codes);
@@ -264,8 +268,16 @@ fn features(arrays: &impl SideArrays) -> Result<Option<Features>, Problem> {
         creases: sorted(creases.into_iter().map(|[a, b]| [a.min(b), a.max(b)]).collect()),
         corners: sorted(required(arrays.vertices("corners", 1)?, "corners")?),
         surfaces: sorted(required(arrays.ids("feature_surfaces")?, "feature_surfaces")?),
+        initial_quality: initial_quality(arrays.bytes("initial_quality")?)?,
         cell_states: cell_states(arrays.bytes("cell_states")?.unwrap_or_default())?,
     }))
+}
+
+/// A double in the file's own bytes, whatever the text around it.
+fn initial_quality(bytes: Option<Vec<u8>>) -> Result<Option<f64>, Problem> {
+    let Some(bytes) = bytes else { return Ok(None) };
+    let eta = bytes.try_into().map(f64::from_le_bytes).ok().filter(|eta| !eta.is_nan());
+    eta.map(Some).ok_or_else(|| wrong("initial_quality", "eight bytes of a number are expected"))
 }
 
 fn sorted<T: Ord>(mut list: Vec<T>) -> Vec<T> {

@@ -68,6 +68,7 @@ fn rich_dataset(cells: u32, parts: f64) -> Dataset {
     mesh.groups.push(Group { dimension: 3, id: 1, name: "Gehäuse <a> & \"b\"".into() });
     mesh.groups.push(Group { dimension: 1, id: 4, name: String::new() });
     mesh.features = Some(Features {
+        initial_quality: Some(0.1),
         creases: vec![[0, 1], [1, 2]],
         corners: vec![],
         surfaces: vec![6],

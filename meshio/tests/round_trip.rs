@@ -137,6 +137,7 @@ fn features_come_back_even_if_there_are_none() {
         None,
         Some(Features::default()),
         Some(Features {
+            initial_quality: Some(0.1),
             creases: vec![[0, 1], [0, 3]],
             corners: vec![0, 5],
             surfaces: vec![2],

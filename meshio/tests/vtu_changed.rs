@@ -103,6 +103,7 @@ fn features_in_any_order_are_sorted() {
         ("UInt8", "cell_states", 1, "2"),
     ]);
     let expected = Features {
+        initial_quality: None,
         creases: vec![[0, 1], [0, 2], [1, 3]],
         corners: vec![0, 3],
         surfaces: vec![-2, 1, 7],

@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 
 use octruss::Error;
 use octruss::output::write_with_surfaces;
-use octruss::recipe::{Degrees, Fraction, Named, SchemeName};
+use octruss::recipe::{Degrees, MinQuality, Named, SchemeName};
 use octruss::run::run_stages;
 use octruss::stages::{Check, Import, Stage, Subdivide};
 use octruss_mesh::{Diagonal, Marking};
@@ -44,9 +44,10 @@ pub struct Refine {
     /// Which diagonal splits a tet: inherit or shortest-each-level [default: inherit]
     #[arg(long)]
     diagonal: Option<Named<Diagonal>>,
-    /// Keep the mean ratio of tets above this, where the input's is
-    #[arg(long, value_name = "ETA", value_parser = fraction)]
-    min_quality: Option<Fraction>,
+    /// Keep the mean ratio of tets above this by pulling vertices back towards the
+    /// linear rule; off for no such guard [default: half of the input's smallest]
+    #[arg(long, value_name = "ETA|off")]
+    min_quality: Option<MinQuality>,
     /// Turn inverted tets over instead of refusing them
     #[arg(long)]
     reorient: bool,
@@ -60,11 +61,6 @@ pub struct Refine {
 pub fn degrees(text: &str) -> Result<Degrees, String> {
     let number: f64 = text.parse().map_err(|_| "expected a number of degrees".to_string())?;
     Degrees::try_from(number)
-}
-
-fn fraction(text: &str) -> Result<Fraction, String> {
-    let number: f64 = text.parse().map_err(|_| "expected a number".to_string())?;
-    Fraction::try_from(number)
 }
 
 impl Refine {

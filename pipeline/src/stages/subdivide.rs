@@ -1,5 +1,6 @@
 //! Refining the mesh, level by level.
 
+use octruss_mesh::guard::usual_floor;
 use octruss_mesh::subdivide::MAX_TETS;
 use octruss_mesh::{
     Diagonal, ExtraFeatures, FeatureOptions, Marking, Overshoot, Scheme, Step, TetMesh, Topology,
@@ -13,9 +14,8 @@ use super::carried_fields::{CarriedFields, field_notes};
 use super::groups::group_ids;
 use super::jumps::start_jumps;
 use super::subdivide_report::{LevelReport, Strata, SubdivideReport};
-use crate::amount::short;
 use crate::error::Error;
-use crate::recipe::{Degrees, Fraction, Named, SchemeName};
+use crate::recipe::{Degrees, Fraction, MinQuality, Named, SchemeName};
 use crate::state::State;
 
 /// Refines every tet into eight, some times over. The marking and what stays
@@ -35,8 +35,10 @@ pub struct Subdivide {
     pub interior: Option<Fraction>,
     /// Which inner diagonal splits a tet.
     pub diagonal: Named<Diagonal>,
-    /// Keep the mean ratio η above this by pulling vertices back to the linear rule.
-    pub min_quality: Option<Fraction>,
+    /// Keep the mean ratio η above this by pulling vertices back towards the
+    /// linear rule; half of the smallest that the coarsest mesh has unless given,
+    /// `off` for no such guard.
+    pub min_quality: Option<MinQuality>,
     /// Fields on vertices or tets that may jump between regions, by name: each is
     /// carried for every region by itself. Those that the file gives at the corners
     /// of each tet are carried so without being named.
@@ -127,13 +129,15 @@ impl Subdivide {
         context: &Context,
     ) -> Result<((LevelReport, usize), String), Error> {
         let overshoot = if self.clamp { Overshoot::Clamp } else { Overshoot::Allow };
+        let finest = state.finest().ok_or_else(|| context.order("check"))?;
+        let step = self.step(finest);
         let clamped = state
-            .refine(self.step(), overshoot)
+            .refine(step, overshoot)
             .map_err(|source| Error::Subdivide { stage: context.progress.label.into(), source })?;
         let hierarchy = state.hierarchy.as_ref().ok_or_else(|| context.order("check"))?;
         let report = LevelReport::of_finest(hierarchy);
-        let tets = format!("{} tets", short(report.tets));
-        Ok(((report, clamped), tets))
+        let result = report.result();
+        Ok(((report, clamped), result))
     }
 
     /// Parameters of a scheme other than the one chosen.
@@ -164,8 +168,14 @@ impl Subdivide {
         }
     }
 
-    fn step(&self) -> Step {
-        let min_quality = self.min_quality.map(|Fraction(eta)| eta);
+    fn step(&self, coarse: &TetMesh) -> Step {
+        let min_quality = match self.min_quality {
+            // The linear rule is what the guard would pull back to.
+            _ if self.scheme.0 == Scheme::Linear => None,
+            Some(MinQuality::Off) => None,
+            Some(MinQuality::Floor(eta)) => Some(eta),
+            None => Some(usual_floor(coarse)),
+        };
         Step { scheme: self.scheme(), diagonal: self.diagonal.0, min_quality }
     }
 

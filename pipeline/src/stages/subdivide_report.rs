@@ -178,6 +178,18 @@ impl MarkingFigures {
 }
 
 impl LevelReport {
+    /// The outcome in a few words.
+    pub(super) fn result(&self) -> String {
+        let tets = short(self.tets);
+        match &self.guard {
+            Some(guard) if guard.pulled_back > 0 => {
+                let (pulled, floor) = (short(guard.pulled_back), guard.floor);
+                format!("{tets} tets, {pulled} vertices pulled back to keep η above {floor:.3}")
+            }
+            _ => format!("{tets} tets"),
+        }
+    }
+
     pub(super) fn of_finest(hierarchy: &Hierarchy) -> Self {
         let mesh = hierarchy.finest();
         let quality = summarise(mesh.raw());

@@ -23,7 +23,12 @@ mod edges;
 mod faces;
 mod slots;
 
-use crate::reference_tet::{EDGES, FACES, MARKING_PERMUTATIONS, PAIRS, edge_between};
+use std::borrow::Cow;
+
+use rayon::prelude::*;
+
+use crate::chunks::CHUNK;
+use crate::reference_tet::{EDGES, FACES, MARKED, MARKING_PERMUTATIONS, edge_between};
 use crate::topology::{EdgeFaces, Topology, VertexEdges};
 use children::Children;
 use edges::FineEdges;
@@ -35,12 +40,13 @@ pub(crate) struct RedSplit {
     pub topology: Topology,
 }
 
-/// The coarse tets, and the pair of each whose diagonal splits it.
+/// The coarse tets with their edges and faces, in the order that they are split
+/// in: each along the diagonal of the pair that it marks then.
 pub(crate) struct Parents<'a> {
-    pub tets: &'a [[u32; 4]],
     pub topology: &'a Topology,
-    /// As in [`MARKING_PERMUTATIONS`]; without them, all split their marked pair.
-    pub pairs: Option<&'a [u8]>,
+    vertices: Cow<'a, [[u32; 4]]>,
+    edges: Cow<'a, [[u32; 6]]>,
+    faces: Cow<'a, [[u32; 4]]>,
 }
 
 /// Splits every tet; child k of tet t is tet 8 t + k.
@@ -65,66 +71,67 @@ pub(crate) fn red_split(
     RedSplit { tets: children.tets, topology }
 }
 
-impl Parents<'_> {
-    fn pair(&self, tet: usize) -> usize {
-        self.pairs.map_or(0, |pairs| usize::from(pairs[tet]))
+impl<'a> Parents<'a> {
+    /// Tets that are split along the diagonals of their marked pairs.
+    pub fn marked(tets: &'a [[u32; 4]], topology: &'a Topology) -> Self {
+        Self {
+            topology,
+            vertices: tets.into(),
+            edges: (&topology.tet_edges[..]).into(),
+            faces: (&topology.tet_faces[..]).into(),
+        }
+    }
+
+    /// Tets that are split along the diagonals of these pairs, numbered as in
+    /// [`MARKING_PERMUTATIONS`].
+    pub fn along(tets: &[[u32; 4]], topology: &'a Topology, pairs: &[u8]) -> Self {
+        let order = |tet: usize| MARKING_PERMUTATIONS[usize::from(pairs[tet])];
+        let each = || (0..tets.len()).into_par_iter().with_min_len(CHUNK);
+        let vertices: Vec<_> = each().map(|t| order(t).map(|v| tets[t][v])).collect();
+        let faces: Vec<_> = each().map(|t| order(t).map(|v| topology.tet_faces[t][v])).collect();
+        let edge = |t: usize, [a, b]: [usize; 2]| {
+            topology.tet_edges[t][edge_between(order(t)[a], order(t)[b])]
+        };
+        let edges: Vec<_> = each().map(|t| EDGES.map(|ends| edge(t, ends))).collect();
+        Self { topology, vertices: vertices.into(), edges: edges.into(), faces: faces.into() }
+    }
+
+    /// How many tets are split.
+    pub fn len(&self) -> usize {
+        self.vertices.len()
     }
 
     /// The vertices of one tet, in the order that it is split in.
     #[inline]
     pub fn vertices(&self, tet: usize) -> [u32; 4] {
-        match self.pair(tet) {
-            0 => self.tets[tet],
-            pair => MARKING_PERMUTATIONS[pair].map(|v| self.tets[tet][v]),
-        }
+        self.vertices[tet]
     }
 
-    /// One tet, reordered if it is to be split along another diagonal.
     #[inline]
-    fn parent(&self, tet: usize) -> Parent {
-        let (vertices, edges) = (self.tets[tet], self.topology.tet_edges[tet]);
-        let faces = self.topology.tet_faces[tet];
-        let pair = self.pair(tet);
-        if pair == 0 {
-            return Parent { tet, vertices, edges, faces };
-        }
-        self.reordered(tet, pair)
-    }
-
-    #[inline(never)]
-    fn reordered(&self, tet: usize, pair: usize) -> Parent {
-        let (vertices, edges) = (self.tets[tet], self.topology.tet_edges[tet]);
-        let faces = self.topology.tet_faces[tet];
-        let order = MARKING_PERMUTATIONS[pair];
-        Parent {
-            tet,
-            vertices: order.map(|v| vertices[v]),
-            edges: EDGES.map(|[a, b]| edges[edge_between(order[a], order[b])]),
-            faces: order.map(|v| faces[v]),
-        }
+    fn parent(&self, tet: usize) -> Parent<'_> {
+        let (vertices, edges) = (&self.vertices[tet], &self.edges[tet]);
+        Parent { tet, vertices, edges, faces: &self.faces[tet] }
     }
 
     /// The edges whose midpoints the inner diagonal of a tet joins, ascending.
     fn split_pair(&self, tet: usize) -> [u32; 2] {
-        let edges = &self.topology.tet_edges[tet];
-        let [first, second] = PAIRS[self.pair(tet)];
-        let (p, q) = (edges[first], edges[second]);
+        let [p, q] = MARKED.map(|local| self.edges[tet][local]);
         [p.min(q), p.max(q)]
     }
 }
 
 /// A coarse tet with what its children's numbers are looked up from.
-struct Parent {
+struct Parent<'a> {
     tet: usize,
-    vertices: [u32; 4],
-    edges: [u32; 6],
-    faces: [u32; 4],
+    vertices: &'a [u32; 4],
+    edges: &'a [u32; 6],
+    faces: &'a [u32; 4],
 }
 
 /// For each local face the places of its vertices in ascending order.
 type Ranks = [[u8; 3]; 4];
 
-impl Parent {
+impl Parent<'_> {
     /// The place of a local vertex among the ascending vertices of a local face.
     #[inline]
     fn rank(&self, face: usize, corner: usize) -> usize {
@@ -166,8 +173,10 @@ mod tests {
         let mut topology = Topology::new(&mesh);
         for _ in 0..2 {
             let pairs = pairs(mesh.tets.len());
-            let parents =
-                Parents { tets: &mesh.tets, topology: &topology, pairs: pairs.as_deref() };
+            let parents = match &pairs {
+                None => Parents::marked(&mesh.tets, &topology),
+                Some(pairs) => Parents::along(&mesh.tets, &topology, pairs),
+            };
             let (vertex_edges, edge_faces) =
                 (VertexEdges::new(&topology), EdgeFaces::new(&topology));
             let split = red_split(&parents, &vertex_edges, &edge_faces);

@@ -101,11 +101,12 @@ pub fn subdivide(
     let edge_faces = EdgeFaces::new(topology);
     let mut matrix = matrix_with(coarse, topology, (&vertex_edges, &edge_faces), scheme);
     let mut points = matrix.apply(&coarse.points);
-    let pairs = match diagonal {
-        Diagonal::Inherit => None,
-        Diagonal::ShortestEachLevel => Some(shortest_pairs(coarse)),
+    let parents = match diagonal {
+        Diagonal::Inherit => Parents::marked(&coarse.tets, topology),
+        Diagonal::ShortestEachLevel => {
+            Parents::along(&coarse.tets, topology, &shortest_pairs(coarse))
+        }
     };
-    let parents = Parents { tets: &coarse.tets, topology, pairs: pairs.as_deref() };
     let split = red_split(&parents, &vertex_edges, &edge_faces);
     let guard = min_quality.map(|floor| {
         let guard = Guard {

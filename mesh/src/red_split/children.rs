@@ -23,7 +23,7 @@ pub(super) struct Children {
 
 impl Children {
     pub fn new(parents: &Parents, edges: &FineEdges, faces: &FineFaces) -> Self {
-        let count = 8 * parents.tets.len();
+        let count = 8 * parents.len();
         let n = parents.topology.vertex_count() as u32;
         let mut made = Self { tets: zeroed(count), edges: zeroed(count), faces: zeroed(count) };
         let by_parent = made.tets.as_chunks_mut::<8>().0.par_iter_mut();
@@ -61,7 +61,7 @@ fn look_up<const N: usize, const SLOTS: usize>(
 
 fn nodes(parent: &Parent, n: u32) -> [u32; 10] {
     let mut nodes = [0; 10];
-    nodes[..4].copy_from_slice(&parent.vertices);
+    nodes[..4].copy_from_slice(parent.vertices);
     for (node, edge) in nodes[4..].iter_mut().zip(parent.edges) {
         *node = n + edge;
     }

@@ -53,7 +53,7 @@ impl<'a> InnerEdges<'a> {
             let [low, high] = parents.split_pair(tet);
             [(low, (high, tet as u32))]
         };
-        let diagonals = Groups::new(coarse.edges.len(), parents.tets.len(), diagonal).sort();
+        let diagonals = Groups::new(coarse.edges.len(), parents.len(), diagonal).sort();
         let count = |edge: usize| {
             let faces =
                 2 * coarse.faces_from(edge as u32).len() + edge_faces.middle(edge as u32).len();
@@ -149,7 +149,7 @@ impl<'a> FineEdges<'a> {
 
 /// The diagonal of each tet, looked up in the list of its smaller edge.
 fn diagonals(parents: &Parents, edges: &[[u32; 2]], firsts: &[u32], n: u32) -> Vec<u32> {
-    let mut diagonals: Vec<u32> = zeroed(parents.tets.len());
+    let mut diagonals: Vec<u32> = zeroed(parents.len());
     diagonals.par_iter_mut().with_min_len(CHUNK).enumerate().for_each(|(tet, diagonal)| {
         let [low, high] = parents.split_pair(tet);
         let [first, last] = [low, low + 1].map(|edge| firsts[edge as usize] as usize);

@@ -138,7 +138,7 @@ impl FineFaces {
             first_faces,
             parts: zeroed(coarse.faces.len()),
             middles: defaults(coarse.faces.len()),
-            inner: defaults(parents.tets.len()),
+            inner: defaults(parents.len()),
         };
         let firsts = &made.first_faces;
         let half_count = 2 * coarse.edges.len();
@@ -302,7 +302,7 @@ impl Maker<'_> {
         let mut tets = self.parents.topology.face_tets[face as usize];
         for tet in tets.iter_mut().filter(|tet| **tet != NONE) {
             let faces = self.parents.parent(*tet as usize).faces;
-            *tet = 8 * *tet + MIDDLE_CHILD[place_of(face, &faces) as usize];
+            *tet = 8 * *tet + MIDDLE_CHILD[place_of(face, faces) as usize];
         }
         ([second, third], tets)
     }

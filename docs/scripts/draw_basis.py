@@ -139,9 +139,9 @@ def show_cut(axes, lattice, field, levels):
 
 
 def show_lines(axes, lattice, scheme, levels):
-    for (direction, name), colour in zip(lattice.lines, (POSITIVE, MARKED)):
+    for (direction, name), colour, dashes in zip(lattice.lines, (POSITIVE, MARKED), ("-", "--")):
         distance, value = along_line(lattice.mesh, lattice.vertex, scheme, levels, direction)
-        axes.plot(distance / lattice.spacing, value, color=colour, lw=2.0, label=name)
+        axes.plot(distance / lattice.spacing, value, dashes, color=colour, lw=2.0, label=name)
     axes.axhline(0, color=INK, lw=0.6)
     axes.set_xlim(-2.4, 2.4)
     axes.set_ylim(top=1.2 * axes.get_ylim()[1])

@@ -182,7 +182,7 @@ def main():
         (draw_truss if averaged else draw_kuhn)(one, column, at, title)
     # The same scale in every panel.
     extents = [[np.abs(one.get_xlim()).max(), np.abs(one.get_ylim()).max()] for one in axes]
-    wide, high = np.max(extents, axis=0)
+    wide, high = np.maximum(np.max(extents, axis=0), [2.6, 2.2])
     figure.set_figheight(4.2 * high / wide + 0.8)
     for one in axes:
         one.set_xlim(-wide, wide)

@@ -26,6 +26,7 @@ VERTICES = [
     "stack:9,2", "stack:10,2", "stack:4,3", "stack:5,3", "stack:6,3", "stack:4,4", "stack:5,4",
 ]
 SHOWN = 6
+RAISED = str.maketrans("0123456789", "⁰¹²³⁴⁵⁶⁷⁸⁹")
 
 
 def written(values):
@@ -40,7 +41,7 @@ def written(values):
     for i in range(1, len(texts) + 1):
         if i == len(texts) or texts[i] != texts[start]:
             count = i - start
-            out.append(texts[start] + ("⁰¹²³⁴⁵⁶⁷⁸⁹"[count] if count > 1 else ""))
+            out.append(texts[start] + (str(count).translate(RAISED) if count > 1 else ""))
             start = i
     return ", ".join(out)
 

@@ -62,7 +62,8 @@ fn links_lead_to_files_and_headings() {
                 _ => page.parent().unwrap().join(file),
             };
             assert!(target.exists(), "{}: no {link}", page.display());
-            let known = heading.is_empty() || anchors(&text(&target)).contains(&heading.to_string());
+            let known =
+                heading.is_empty() || anchors(&text(&target)).contains(&heading.to_string());
             assert!(known, "{}: no heading {link}", page.display());
             links += 1;
         }
@@ -73,7 +74,7 @@ fn links_lead_to_files_and_headings() {
 #[test]
 fn tests_that_pages_name_exist() {
     let mut named = 0;
-    for page in pages() {
+    for page in pages().into_iter().filter(|page| page.parent().unwrap().ends_with("schemes")) {
         let content = text(&page);
         let codes = content.split('`').skip(1).step_by(2);
         for (file, test) in codes.filter_map(|code| code.split_once("::")) {

@@ -90,34 +90,36 @@ def largest_difference(field, direction, order):
     return np.abs(padded).max()
 
 
-def show_cut(axes, lattice, field, levels):
-    """The plane e1, e2 of the Kuhn lattice, drawn with its symmetry; a coordinate plane of the truss."""
+def plane(lattice, field, levels):
+    """A cut: where its points are drawn, their values, and two edges of the coarse lattice.
+
+    The plane e1, e2 of the Kuhn lattice, drawn with its symmetry; a coordinate plane of the truss.
+    """
     middle = field.shape[0] // 2
     values = field[:, :, middle]
-    steps = np.arange(-middle, middle + 1) / 2**levels
-    first, second = np.meshgrid(steps, steps, indexing="ij")
+    steps = np.arange(-middle, middle + 1)
+    a, b = np.meshgrid(steps, steps, indexing="ij")
     if lattice.averaged:
-        # Every other point of the plane is on the truss: its truss turned by 45 degrees is a square grid.
-        steps = np.arange(-middle, middle + 1)
-        a, b = np.meshgrid(steps, steps, indexing="ij")
-        rows, columns = (a + b), (a - b)
+        # Every other point of the plane is on the truss: a square grid, turned by 45 degrees.
+        rows, columns = a + b, a - b
         inside = (np.abs(rows) <= middle) & (np.abs(columns) <= middle)
-        values = np.where(inside, values[np.clip(rows + middle, 0, 2 * middle), np.clip(columns + middle, 0, 2 * middle)], 0)
-        x, y = rows / 2**levels, columns / 2**levels
-        corners = [np.array([1, 1]), np.array([1, -1])]
-    else:
-        # e1 = (1, √2), e2 = (1, −√2): e1 + e2, an edge of four tets, lies level.
-        x, y = first + second, np.sqrt(2) * (first - second)
-        corners = [np.array([1, np.sqrt(2)]), np.array([1, -np.sqrt(2)])]
+        places = [np.clip(index + middle, 0, 2 * middle) for index in (rows, columns)]
+        values = np.where(inside, values[tuple(places)], 0)
+        return rows / 2**levels, columns / 2**levels, values, np.array([[1, 1], [1, -1]])
+    # e1 = (1, √2), e2 = (1, −√2): e1 + e2, an edge of four tets, lies level.
+    edges = np.array([[1, np.sqrt(2)], [1, -np.sqrt(2)]])
+    return (a + b) / 2**levels, np.sqrt(2) * (a - b) / 2**levels, values, edges
+
+
+def show_cut(axes, lattice, field, levels):
+    x, y, values, (u, v) = plane(lattice, field, levels)
     top, low = values.max(), values.min()
     if low < -1e-12:
         axes.contourf(x, y, values, np.linspace(low, -0.004, 5), cmap=BELOW)
     bands = np.linspace(0.01 * top, top, 15)
     shown = axes.contourf(x, y, values, bands, cmap=HEAT)
     axes.contour(x, y, values, bands[::2], colors=[INK], linewidths=0.5)
-    reach = range(-4, 5)
-    u, v = corners
-    for i in reach:
+    for i in range(-4, 5):
         for step, other in ((u, v), (v, u)):
             ends = np.array([i * other - 4 * step, i * other + 4 * step])
             axes.plot(*ends.T, color=INK, lw=0.5, alpha=0.35)

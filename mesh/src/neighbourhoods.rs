@@ -71,7 +71,7 @@ impl<'a> Neighbourhoods<'a> {
     /// end there, too; no face holds its edges.)
     pub fn solid_edges_at(&self, vertex: u32) -> impl Iterator<Item = u32> + Clone {
         let all = self.edges_at(vertex).iter().copied();
-        all.filter(|&edge| self.edge_faces.count(edge) > 0)
+        all.filter(|&edge| !self.strata.has_free_edges || self.edge_faces.count(edge) > 0)
     }
 
     /// The vertices that share an edge of a tet with one of the solid, diagonals
@@ -88,6 +88,16 @@ impl<'a> Neighbourhoods<'a> {
     /// How many tets are round an edge inside the solid, as many as faces.
     pub fn valence(&self, edge: u32) -> usize {
         self.edge_faces.count(edge)
+    }
+
+    /// The ends (true) and link vertices (false) of an edge inside the solid,
+    /// ascending.
+    pub fn ends_and_link(&self, edge: u32) -> impl Iterator<Item = (u32, bool)> {
+        let ([low, high], faces) = (self.ends(edge), self.edge_faces);
+        let link = |vertex| (vertex, false);
+        let below = faces.below(edge).map(link).chain([(low, true)]);
+        let between = faces.between(edge).map(link).chain([(high, true)]);
+        below.chain(between).chain(faces.above(edge).map(link))
     }
 
     /// The link vertices of an edge inside the solid, ascending.

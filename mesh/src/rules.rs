@@ -55,6 +55,17 @@ pub(crate) fn edge_row(scheme: Scheme, near: &Neighbourhoods, edge: u32, row: &m
     }
 }
 
+/// The weight `own` for a vertex of the solid, the rest shared by its neighbours.
+fn add_own_and_neighbours(near: &Neighbourhoods, vertex: u32, own: f64, row: &mut Row) {
+    let neighbours = near.neighbours(vertex);
+    let each = (1.0 - own) / neighbours.clone().count() as f64;
+    let lower = neighbours.clone().take_while(|&other| other < vertex);
+    lower.for_each(|neighbour| row.add(neighbour, each));
+    row.add(vertex, own);
+    let higher = neighbours.skip_while(|&other| other < vertex);
+    higher.for_each(|neighbour| row.add(neighbour, each));
+}
+
 fn midpoint(near: &Neighbourhoods, edge: u32, row: &mut Row) {
     add_ends(near, edge, 0.5, row);
 }

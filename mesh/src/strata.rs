@@ -18,6 +18,8 @@ pub struct Strata {
     /// 1 curve, 2 surface, 3 solid, for each edge. An edge is in a stratum only
     /// if it is an edge of it, not because its ends are.
     pub edge_dimensions: Vec<u8>,
+    /// Whether there are edges that no face holds.
+    pub(crate) has_free_edges: bool,
     /// Whether each face belongs to a surface stratum.
     pub is_surface: Vec<bool>,
     /// Neighbours of vertices along edges of surface strata.
@@ -44,13 +46,23 @@ impl Strata {
         }
         // A free edge has nothing but its ends to follow: the midpoint, as on a curve.
         let on_curves = curves.iter().filter_map(|&[a, b]| topology.edge_between(a, b));
-        for edge in on_curves.chain(free_edges(mesh, topology)) {
+        let free = free_edges(mesh, topology);
+        for edge in on_curves.chain(free.iter().copied()) {
             edge_dimensions[edge as usize] = 1;
         }
         let surface = Incidence::symmetric(opposite.keys().map(ends));
         let curve = Incidence::symmetric(curves.into_iter());
         let vertex_dimensions = vertex_dimensions(mesh, features, &surface, &curve);
-        Self { vertex_dimensions, edge_dimensions, is_surface, surface, curve, opposite }
+        let has_free_edges = !free.is_empty();
+        Self {
+            vertex_dimensions,
+            edge_dimensions,
+            has_free_edges,
+            is_surface,
+            surface,
+            curve,
+            opposite,
+        }
     }
 
     /// The vertices that share an edge of a surface stratum with this one, ascending.

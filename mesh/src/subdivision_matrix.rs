@@ -184,6 +184,9 @@ impl Row<'_> {
     }
 }
 
+/// As many entries as few schemes exceed in the mean of many rows.
+const USUAL_WIDTH: usize = 8;
+
 /// A few thousand rows, made by one task.
 struct RowChunk {
     ends: Vec<u32>,
@@ -193,8 +196,9 @@ struct RowChunk {
 
 impl RowChunk {
     fn new(rows: std::ops::Range<usize>, fill: &impl Fn(usize, &mut Row)) -> Self {
-        let mut chunk =
-            Self { ends: Vec::with_capacity(rows.len()), columns: Vec::new(), weights: Vec::new() };
+        let (ends, entries) = (Vec::with_capacity(rows.len()), USUAL_WIDTH * rows.len());
+        let (columns, weights) = (Vec::with_capacity(entries), Vec::with_capacity(entries));
+        let mut chunk = Self { ends, columns, weights };
         for number in rows {
             let start = chunk.columns.len();
             let mut row = Row { columns: &mut chunk.columns, weights: &mut chunk.weights, start };

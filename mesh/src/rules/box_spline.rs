@@ -1,15 +1,12 @@
 //! The box-spline scheme inside a solid (Chang's thesis, section 4.5).
 
-use super::add_ends;
+use super::add_own_and_neighbours;
 use crate::neighbourhoods::Neighbourhoods;
 use crate::subdivision_matrix::Row;
 
 /// 9/16 itself, 7/(16 m) each of its m neighbours (4.24).
 pub(crate) fn vertex(near: &Neighbourhoods, vertex: u32, row: &mut Row) {
-    row.add(vertex, 9.0 / 16.0);
-    let neighbours = near.neighbours(vertex);
-    let each = 7.0 / (16.0 * neighbours.clone().count() as f64);
-    neighbours.for_each(|neighbour| row.add(neighbour, each));
+    add_own_and_neighbours(near, vertex, 9.0 / 16.0, row);
 }
 
 /// Round an edge of four tets 1/4 the ends, 1/8 each link vertex (4.26); of
@@ -21,6 +18,7 @@ pub(crate) fn edge(near: &Neighbourhoods, edge: u32, row: &mut Row) {
     let tets = near.valence(edge);
     let (end, link) =
         if tets == 4 { (1.0 / 4.0, 1.0 / 8.0) } else { (5.0 / 16.0, 3.0 / (8.0 * tets as f64)) };
-    near.link(edge).for_each(|vertex| row.add(vertex, link));
-    add_ends(near, edge, end, row);
+    for (vertex, is_end) in near.ends_and_link(edge) {
+        row.add(vertex, if is_end { end } else { link });
+    }
 }

@@ -44,7 +44,8 @@ pub enum SubdivideError {
     /// Moving the vertices would turn tets inside out.
     #[error(
         "level {level} would invert {count} of {total} tets (the first: {}); \
-         use fewer levels, keep more edges sharp, or improve the worst tets of the input",
+         guard the quality, use fewer levels, keep more edges sharp, or improve the worst tets \
+         of the input",
         list(examples)
     )]
     Inverted {

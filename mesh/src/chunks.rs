@@ -3,7 +3,7 @@
 use rayon::prelude::*;
 
 /// Rows a task; large enough that splitting costs nothing.
-pub(crate) const CHUNK: usize = 4096;
+pub(crate) const CHUNK: usize = 1024;
 
 /// Turns counts, stored from place 1 on, into offsets.
 pub(crate) fn accumulate<T: Copy + std::ops::AddAssign>(counts: &mut [T]) {

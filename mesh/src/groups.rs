@@ -18,9 +18,6 @@ pub(crate) struct Groups<E> {
     entries: Vec<E>,
 }
 
-/// Sources a chunk; fixed, so that nothing depends on the number of threads.
-const SOURCES: usize = 1 << 15;
-
 /// The most blocks; as many streams still fit the first-level cache.
 const BLOCKS: usize = 512;
 
@@ -34,13 +31,17 @@ impl<E: Copy + Default + Send + Sync> Groups<E> {
     ) -> Self {
         let width = keys.div_ceil(BLOCKS).next_power_of_two().max(64);
         let (shift, blocks) = (width.trailing_zeros(), keys.div_ceil(width));
-        let sources_of = |chunk: usize| SOURCES * chunk..sources.min(SOURCES * (chunk + 1));
-        let counts: Vec<Vec<usize>> = (0..sources.div_ceil(SOURCES))
+        let size = chunk_size(sources);
+        let sources_of = |chunk: usize| size * chunk..sources.min(size * (chunk + 1));
+        let counts: Vec<Vec<usize>> = (0..sources.div_ceil(size))
             .into_par_iter()
             .map(|chunk| {
                 let mut counts = vec![0; blocks];
-                for (key, _) in sources_of(chunk).flat_map(&emit) {
-                    counts[(key >> shift) as usize] += 1;
+                // Two loops, here and below: a flat map costs a fifth of the time.
+                for source in sources_of(chunk) {
+                    for (key, _) in emit(source) {
+                        counts[(key >> shift) as usize] += 1;
+                    }
                 }
                 counts
             })
@@ -51,10 +52,12 @@ impl<E: Copy + Default + Send + Sync> Groups<E> {
         pieces(&mut staged, blocks, &counts).into_par_iter().enumerate().for_each(
             |(chunk, mut pieces)| {
                 let mut ends = vec![0; blocks];
-                for (key, entry) in sources_of(chunk).flat_map(&emit) {
-                    let block = (key >> shift) as usize;
-                    pieces[block][ends[block]] = (key, entry);
-                    ends[block] += 1;
+                for source in sources_of(chunk) {
+                    for (key, entry) in emit(source) {
+                        let block = (key >> shift) as usize;
+                        pieces[block][ends[block]] = (key, entry);
+                        ends[block] += 1;
+                    }
                 }
             },
         );
@@ -131,6 +134,13 @@ impl<E: Sync + PartialEq> Groups<E> {
     pub fn runs(&self, key: usize, same: impl Fn(&E, &E) -> bool) -> impl Iterator<Item = &[E]> {
         self.of(key).chunk_by(same)
     }
+}
+
+/// How many sources a chunk has: enough chunks for balance, few enough for their
+/// counts to cost nothing; by the number of sources alone, never by that of
+/// threads.
+fn chunk_size(sources: usize) -> usize {
+    (sources / 64).clamp(1 << 12, 1 << 16)
 }
 
 /// The part of `staged` that each chunk writes of each block, where blocks

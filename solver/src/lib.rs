@@ -7,7 +7,7 @@
 //! ```
 //!
 //! [`Multigrid`] knows matrices only, no mesh. Matrices are [`Csr`]: `u32`
-//! columns, double precision outside, single precision inside the cycle; all
+//! columns, entries that are numbers or 3 × 3 blocks, double precision outside, single precision inside the cycle; all
 //! loops are parallel over fixed chunks of rows, so results have the same bits
 //! for any number of threads. Errors are values ([`Error`]) and carry what was
 //! reached.
@@ -34,15 +34,18 @@
 //! ```
 
 mod assemble;
+mod blocks;
 mod cg;
 mod chebyshev;
 mod chunks;
 mod coarse;
 mod csr;
 mod cycle;
+mod diagonal;
 mod dofs;
 mod dot;
 mod element;
+mod entry;
 mod error;
 mod galerkin;
 mod gauss_seidel;
@@ -52,6 +55,7 @@ mod load;
 mod multigrid;
 mod norms;
 mod options;
+mod pattern;
 mod preconditioner;
 mod problem;
 pub mod quadrature;
@@ -74,6 +78,7 @@ pub use cg::conjugate_gradients;
 pub use csr::Csr;
 pub use dofs::Dofs;
 pub use dot::{dot, norm};
+pub use entry::{Acts, Entry, Nodal};
 pub use error::Error;
 pub use galerkin::{galerkin, multiply};
 pub use multigrid::Multigrid;

@@ -33,12 +33,14 @@
 //! # Ok::<(), octruss_solver::Error>(())
 //! ```
 
+mod accumulator;
 mod assemble;
 mod blocks;
 mod cg;
 mod chebyshev;
 mod chunks;
 mod coarse;
+mod colouring;
 mod csr;
 mod cycle;
 mod diagonal;
@@ -53,11 +55,13 @@ pub mod kernels;
 mod level;
 mod load;
 mod multigrid;
+mod multiply;
 mod norms;
 mod options;
 mod pattern;
 mod preconditioner;
 mod problem;
+mod projectors;
 pub mod quadrature;
 mod random;
 mod real;
@@ -65,9 +69,11 @@ mod report;
 mod rows;
 mod run;
 mod scatter;
+mod smoothing;
 mod spectrum;
 mod stationary;
 mod summary;
+mod symmetric;
 #[cfg(test)]
 mod toy;
 mod transfer;
@@ -80,10 +86,11 @@ pub use dofs::Dofs;
 pub use dot::{dot, norm};
 pub use entry::{Acts, Entry, Nodal};
 pub use error::Error;
-pub use galerkin::{galerkin, multiply};
+pub use galerkin::galerkin;
 pub use multigrid::Multigrid;
+pub use multiply::multiply;
 pub use norms::{h1_seminorm_error, l2_error};
-pub use options::{MultigridOptions, Precision, Smoother};
+pub use options::{CycleShape, DiagonalKind, MultigridOptions, Precision, Smoother};
 pub use preconditioner::{Identity, Preconditioner};
 pub use problem::{ByRegion, Poisson, Scalar};
 pub use random::noise;

@@ -33,6 +33,7 @@
 //! # Ok::<(), octruss_solver::Error>(())
 //! ```
 
+mod account;
 mod accumulator;
 mod assemble;
 mod blocks;
@@ -62,6 +63,7 @@ mod pattern;
 mod preconditioner;
 mod problem;
 mod projectors;
+mod quadratic;
 pub mod quadrature;
 mod random;
 mod real;
@@ -79,6 +81,7 @@ mod toy;
 mod transfer;
 mod transpose;
 
+pub use account::{Account, KernelTraffic};
 pub use assemble::{System, assemble};
 pub use cg::conjugate_gradients;
 pub use csr::Csr;
@@ -93,6 +96,7 @@ pub use norms::{h1_seminorm_error, l2_error};
 pub use options::{CycleShape, DiagonalKind, MultigridOptions, Precision, Smoother};
 pub use preconditioner::{Identity, Preconditioner};
 pub use problem::{ByRegion, Poisson, Scalar};
+pub use quadratic::quadratic_transfer;
 pub use random::noise;
 pub use real::Real;
 pub use report::{SolveReport, Unfinished};

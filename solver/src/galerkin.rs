@@ -93,17 +93,20 @@ fn add_rows<E: Entry<Real = f64>>(
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::toy::{interpolation, second_difference, tridiagonal};
+    use crate::multiply::multiply;
+    use crate::toy::{interpolation, second_difference};
     use crate::transpose::transpose;
 
     #[test]
-    fn linear_interpolation_makes_half_the_second_difference() {
-        // One half row, two fine points apart: (−1, 2, −1) / 2, exact in binary.
-        for n in [1, 2, 7, 2000] {
-            let p = interpolation(n);
-            let coarse = galerkin(&second_difference(2 * n + 1), &p, &transpose(&p));
-            assert_eq!(coarse, tridiagonal(n, -0.5, 1.0));
-        }
+    fn a_wider_pattern_than_that_of_parents_is_summed_all_the_same() {
+        // The square of the second difference: halves and integers, exact in binary.
+        let (a, p) = (second_difference(4001), interpolation(2000));
+        let (wide, p_transposed) = (multiply(&a, &a), transpose(&p));
+        let coarse = galerkin(&wide, &p, &p_transposed);
+        assert_eq!(coarse, multiply(&p_transposed, &multiply(&wide, &p)));
+        // A times column j of P is 1 at fine point c, −½ two points to both sides;
+        // so row j is 1 + ¼ + ¼ on the diagonal, −½ − ½ beside it, then ¼.
+        assert_eq!(coarse.row(7), (&[5, 6, 7, 8, 9][..], &[0.25, -1.0, 1.5, -1.0, 0.25][..]));
     }
 
     type Block = [[f64; 3]; 3];

@@ -108,8 +108,17 @@ pub enum Error {
         level: usize,
         /// The first row at fault.
         row: usize,
-        /// The value found, 0 where nothing is stored.
+        /// The value found, 0 where nothing is stored; of a block the first pivot
+        /// that is not positive.
         value: f64,
+    },
+    /// A projector of a constrained row is none, or not in its place.
+    #[error("level {level}, row {row}: expected symmetric projectors (Q Q = Q) at ascending rows")]
+    Projector {
+        /// 0 is the finest.
+        level: usize,
+        /// The first row at fault.
+        row: u32,
     },
     /// The coarsest level is too large for a direct solver.
     #[error(
@@ -125,7 +134,7 @@ pub enum Error {
     /// Neither Cholesky nor LU factors of the coarsest matrix pass their test.
     #[error(
         "the coarsest matrix ({unknowns} unknowns) cannot be factored: Cholesky: {cholesky}; \
-         LU: {lu}; it is singular or nearly so"
+         LU: {lu}; it is singular or nearly so: check that enough is fixed on every part"
     )]
     CoarsestSingular {
         /// Unknowns on the coarsest level.
@@ -137,7 +146,11 @@ pub enum Error {
     },
     /// A direction p with p · A p ≤ 0 was met, or a preconditioner that is not
     /// positive.
-    #[error("the {what} is not positive definite (iteration {})", .at.report.iterations)]
+    #[error(
+        "the {what} is not positive definite (iteration {}): check that coefficients are \
+         positive and enough is fixed; if they are, try double precision in the cycle",
+        .at.report.iterations
+    )]
     NotPositiveDefinite {
         /// The matrix or the preconditioner.
         what: &'static str,

@@ -1,7 +1,11 @@
-//! Gauss–Seidel sweeps: the serial reference smoother.
+//! Gauss–Seidel sweeps: row after row as the serial reference, or colour after
+//! colour.
 
+use crate::chunks::for_chunks;
+use crate::colouring::Colouring;
 use crate::csr::Csr;
-use crate::real::Real;
+use crate::entry::{Entry, Nodal};
+use crate::kernels::row_product;
 
 /// The order in which a sweep visits the unknowns.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -13,19 +17,44 @@ pub(crate) enum Order {
 }
 
 /// One sweep for A x = b: each unknown in turn solves its own equation.
-pub(crate) fn sweep<T: Real>(
-    matrix: &Csr<T>,
-    inverse_diagonal: &[T],
-    b: &[T],
-    x: &mut [T],
+pub(crate) fn sweep<E: Entry>(
+    matrix: &Csr<E>,
+    inverse_diagonal: &[E],
+    b: &[E::Nodal],
+    x: &mut [E::Nodal],
     order: Order,
 ) {
     let mut relax = |i: usize| {
-        let r = b[i] - crate::kernels::row_product(matrix, i, x);
-        x[i] += inverse_diagonal[i] * r;
+        let r = b[i].minus(row_product(matrix.row(i), x));
+        x[i] = inverse_diagonal[i].add_product(r, x[i]);
     };
     match order {
         Order::Forward => (0..matrix.rows()).for_each(&mut relax),
         Order::Backward => (0..matrix.rows()).rev().for_each(&mut relax),
+    }
+}
+
+/// One sweep through the colours. New values of one colour are computed in parallel
+/// into `buffer`, then put in place.
+pub(crate) fn coloured_sweep<E: Entry>(
+    (matrix, inverse_diagonal): (&Csr<E>, &[E]),
+    (colouring, buffer): (&Colouring, &mut [E::Nodal]),
+    (b, x): (&[E::Nodal], &mut [E::Nodal]),
+    order: Order,
+) {
+    let mut relax = |rows: &[u32]| {
+        let new = &mut buffer[..rows.len()];
+        for_chunks(new, |first, chunk| {
+            for (new, &i) in chunk.iter_mut().zip(&rows[first..]) {
+                let i = i as usize;
+                let r = b[i].minus(row_product(matrix.row(i), x));
+                *new = inverse_diagonal[i].add_product(r, x[i]);
+            }
+        });
+        rows.iter().zip(new).for_each(|(&i, new)| x[i as usize] = *new);
+    };
+    match order {
+        Order::Forward => colouring.rows().for_each(&mut relax),
+        Order::Backward => colouring.rows().rev().for_each(&mut relax),
     }
 }

@@ -7,7 +7,7 @@
 //! ```
 //!
 //! [`Multigrid`] knows matrices only, no mesh. Matrices are [`Csr`]: `u32`
-//! columns, double precision outside, single precision inside the cycle; all
+//! columns, entries that are numbers or 3 × 3 blocks, double precision outside, single precision inside the cycle; all
 //! loops are parallel over fixed chunks of rows, so results have the same bits
 //! for any number of threads. Errors are values ([`Error`]) and carry what was
 //! reached.
@@ -33,16 +33,22 @@
 //! # Ok::<(), octruss_solver::Error>(())
 //! ```
 
+mod account;
+mod accumulator;
 mod assemble;
+mod blocks;
 mod cg;
 mod chebyshev;
 mod chunks;
 mod coarse;
+mod colouring;
 mod csr;
 mod cycle;
+mod diagonal;
 mod dofs;
 mod dot;
 mod element;
+mod entry;
 mod error;
 mod galerkin;
 mod gauss_seidel;
@@ -50,10 +56,14 @@ pub mod kernels;
 mod level;
 mod load;
 mod multigrid;
+mod multiply;
 mod norms;
 mod options;
+mod pattern;
 mod preconditioner;
 mod problem;
+mod projectors;
+mod quadratic;
 pub mod quadrature;
 mod random;
 mod real;
@@ -61,26 +71,33 @@ mod report;
 mod rows;
 mod run;
 mod scatter;
+mod smoothing;
 mod spectrum;
 mod stationary;
 mod summary;
+mod symmetric;
 #[cfg(test)]
 mod toy;
 mod transfer;
 mod transpose;
+mod two_parents;
 
+pub use account::{Account, KernelTraffic};
 pub use assemble::{System, assemble};
 pub use cg::conjugate_gradients;
 pub use csr::Csr;
 pub use dofs::Dofs;
 pub use dot::{dot, norm};
+pub use entry::{Acts, Entry, Nodal};
 pub use error::Error;
-pub use galerkin::{galerkin, multiply};
+pub use galerkin::galerkin;
 pub use multigrid::Multigrid;
+pub use multiply::multiply;
 pub use norms::{h1_seminorm_error, l2_error};
-pub use options::{MultigridOptions, Precision, Smoother};
+pub use options::{CycleShape, DiagonalKind, MultigridOptions, Precision, Smoother};
 pub use preconditioner::{Identity, Preconditioner};
 pub use problem::{ByRegion, Poisson, Scalar};
+pub use quadratic::quadratic_transfer;
 pub use random::noise;
 pub use real::Real;
 pub use report::{SolveReport, Unfinished};

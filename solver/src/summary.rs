@@ -1,31 +1,45 @@
 //! The multigrid's table of itself.
 
+use crate::csr::Csr;
+use crate::entry::Entry;
 use crate::multigrid::Multigrid;
 use std::fmt;
 
 /// What one level holds.
 #[derive(Debug, Clone, PartialEq)]
 pub struct LevelSummary {
-    /// Rows of its matrix.
+    /// Rows of its matrix, three a block.
     pub unknowns: usize,
-    /// Stored entries of its matrix.
+    /// Stored numbers of its matrix, nine a block.
     pub nonzeros: usize,
     /// Memory of matrices, factors and work vectors.
     pub bytes: usize,
     /// Stored entries of the prolongation onto it; none on the coarsest level.
     pub prolongation_nonzeros: Option<usize>,
-    /// The estimate for D⁻¹A; none on the coarsest level, which is not smoothed.
+    /// The estimate for D⁻¹A; none on the coarsest level, which is not smoothed, and
+    /// with smoothers that need none.
     pub largest_eigenvalue: Option<f64>,
 }
 
 impl LevelSummary {
+    /// The size of a matrix, nothing else.
+    pub(crate) fn of<E: Entry>(matrix: &Csr<E>) -> Self {
+        Self {
+            unknowns: matrix.rows() * E::SIZE,
+            nonzeros: matrix.nonzeros() * E::SIZE * E::SIZE,
+            bytes: 0,
+            prolongation_nonzeros: None,
+            largest_eigenvalue: None,
+        }
+    }
+
     /// Stored entries a row of its matrix.
     pub fn nonzeros_per_row(&self) -> f64 {
         self.nonzeros as f64 / self.unknowns.max(1) as f64
     }
 }
 
-impl fmt::Display for Multigrid {
+impl<E: Entry> fmt::Display for Multigrid<E> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         writeln!(
             f,
@@ -33,8 +47,11 @@ impl fmt::Display for Multigrid {
             "level", "unknowns", "nonzeros", "per row", "MiB", "λmax"
         )?;
         for (number, level) in self.levels().iter().enumerate() {
-            let eigenvalue =
-                level.largest_eigenvalue.map_or("direct".into(), |value| format!("{value:.3}"));
+            let eigenvalue = match (level.largest_eigenvalue, level.prolongation_nonzeros) {
+                (Some(value), _) => format!("{value:.3}"),
+                (None, Some(_)) => "–".into(),
+                (None, None) => "direct".into(),
+            };
             writeln!(
                 f,
                 "{number:>5}  {:>10}  {:>11}  {:>7.1}  {:>9.2}  {eigenvalue:>9}",
@@ -54,7 +71,7 @@ impl fmt::Display for Multigrid {
     }
 }
 
-impl fmt::Debug for Multigrid {
+impl<E: Entry> fmt::Debug for Multigrid<E> {
     /// The table: levels hold too many numbers to print.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         fmt::Display::fmt(self, f)

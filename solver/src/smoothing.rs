@@ -1,0 +1,122 @@
+//! The smoother of one level, whichever it is.
+
+use crate::chebyshev::Chebyshev;
+use crate::colouring::Colouring;
+use crate::csr::Csr;
+use crate::diagonal::Diagonal;
+use crate::entry::Entry;
+use crate::gauss_seidel::{Order, coloured_sweep, sweep};
+use crate::options::{MultigridOptions, Smoother};
+use crate::projectors::Projectors;
+use crate::spectrum::largest_eigenvalue;
+
+/// The estimated largest eigenvalue is from below by a few percent; the damped
+/// interval ends this much higher, unless a bound says that it need not. (Just
+/// beyond its end a Chebyshev polynomial still damps.)
+const SAFETY: f64 = 1.05;
+
+/// A smoother with its data and work vectors.
+pub(crate) struct Smoothing<E: Entry> {
+    inverse_diagonal: Vec<E>,
+    kind: Kind<E>,
+    /// The estimate for D⁻¹A, where the smoother needs one.
+    pub(crate) largest_eigenvalue: Option<f64>,
+}
+
+enum Kind<E: Entry> {
+    Polynomial(Chebyshev<E>),
+    Lexicographic,
+    Coloured(Colouring, Vec<E::Nodal>),
+}
+
+impl<E: Entry> Smoothing<E> {
+    /// The smoother of a matrix in the cycle's precision, `scale` times the one in
+    /// double precision.
+    pub(crate) fn new<D: Entry<Real = f64>>(
+        (matrix, diagonal, projectors): (&Csr<D>, Diagonal<D>, &Projectors<D>),
+        (rounded, scale): (&Csr<E>, f64),
+        options: &MultigridOptions,
+    ) -> Self {
+        let n = matrix.rows();
+        let diagonal = match options.smoother {
+            Smoother::Chebyshev { .. } => diagonal.of_kind(options.diagonal, projectors),
+            Smoother::L1Jacobi => diagonal.plus_rows(matrix, options.diagonal, projectors),
+            Smoother::GaussSeidel | Smoother::ColouredGaussSeidel => diagonal,
+        };
+        let inverse_diagonal: Vec<E> =
+            diagonal.inverses.iter().map(|d| d.cast_scaled(1.0 / scale)).collect();
+        let mut largest = None;
+        let kind = match options.smoother {
+            Smoother::Chebyshev { degree, lower } => {
+                let entries: Vec<E> =
+                    diagonal.entries.iter().map(|d| d.cast_scaled(scale)).collect();
+                let end = largest_eigenvalue(rounded, &entries, &inverse_diagonal);
+                largest = Some(end.estimate);
+                let upper = (SAFETY * end.estimate).min(end.bound);
+                Kind::Polynomial(Chebyshev::new(n, degree, lower * upper, upper))
+            }
+            Smoother::L1Jacobi => Kind::Polynomial(Chebyshev::plain(n)),
+            Smoother::GaussSeidel => Kind::Lexicographic,
+            Smoother::ColouredGaussSeidel => {
+                let colouring = Colouring::greedy(matrix);
+                let buffer = vec![E::Nodal::default(); colouring.largest()];
+                Kind::Coloured(colouring, buffer)
+            }
+        };
+        Self { inverse_diagonal, kind, largest_eigenvalue: largest }
+    }
+
+    /// One sweep for A x = b. With `from_zero`, `x` counts as zero whatever it holds.
+    pub(crate) fn sweep(
+        &mut self,
+        matrix: &Csr<E>,
+        (b, x): (&[E::Nodal], &mut Vec<E::Nodal>),
+        order: Order,
+        from_zero: bool,
+    ) {
+        let inverse_diagonal = &self.inverse_diagonal;
+        if from_zero && !matches!(self.kind, Kind::Polynomial(_)) {
+            x.fill(E::Nodal::default());
+        }
+        match &mut self.kind {
+            Kind::Polynomial(chebyshev) => {
+                chebyshev.smooth(matrix, inverse_diagonal, (b, x), from_zero);
+            }
+            Kind::Lexicographic => sweep(matrix, inverse_diagonal, b, x, order),
+            Kind::Coloured(colouring, buffer) => {
+                let rows = (&*colouring, &mut **buffer);
+                coloured_sweep((matrix, inverse_diagonal), rows, (b, x), order);
+            }
+        }
+    }
+
+    /// The memory of its data and work vectors, in bytes.
+    pub(crate) fn bytes(&self) -> usize {
+        let kind = match &self.kind {
+            Kind::Polynomial(chebyshev) => chebyshev.bytes(),
+            Kind::Lexicographic => 0,
+            Kind::Coloured(colouring, buffer) => colouring.bytes() + size_of_val(&**buffer),
+        };
+        size_of_val(&*self.inverse_diagonal) + kind
+    }
+
+    /// The bytes that one sweep over a matrix moves, from the sizes of its arrays.
+    /// From zero a polynomial saves its first product.
+    pub(crate) fn sweep_bytes(&self, matrix: &Csr<E>, from_zero: bool) -> usize {
+        let (diagonal, vector) =
+            (size_of_val(&*self.inverse_diagonal), matrix.rows() * size_of::<E::Nodal>());
+        match &self.kind {
+            Kind::Polynomial(chebyshev) => {
+                // Reads x, b and d, writes d and the next x; the first step from
+                // zero reads b and writes d and x.
+                let step = matrix.bytes() + diagonal + 5 * vector;
+                let first = if from_zero { diagonal + 3 * vector } else { step };
+                first + (chebyshev.degree() - 1) * step
+            }
+            Kind::Lexicographic => matrix.bytes() + diagonal + 3 * vector,
+            Kind::Coloured(colouring, _) => {
+                matrix.bytes() + diagonal + 5 * vector + colouring.bytes()
+            }
+        }
+    }
+}

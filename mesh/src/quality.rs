@@ -94,11 +94,22 @@ fn point(p: [f64; 3]) -> Vector3<f64> {
     Vector3::from(p)
 }
 
+/// The smallest η of a mesh and the mean; infinite and not a number without tets.
+/// A small part of the work of [`summarise`].
+pub fn mean_ratio_range(mesh: &RawMesh) -> (f64, f64) {
+    let chunk = |tets: &[[u32; 4]]| {
+        let ratios = tets.iter().map(|&tet| mean_ratio(corners(&mesh.points, tet)));
+        ratios.fold((f64::INFINITY, 0.0), |(min, sum), eta| (min.min(eta), sum + eta))
+    };
+    // Fixed chunks added in order: the same bits for any number of threads.
+    let chunks: Vec<(f64, f64)> = mesh.tets.par_chunks(CHUNK).map(chunk).collect();
+    let min = chunks.iter().map(|chunk| chunk.0).fold(f64::INFINITY, f64::min);
+    (min, chunks.iter().map(|chunk| chunk.1).sum::<f64>() / mesh.tets.len() as f64)
+}
+
 /// The smallest η of a mesh; infinite without tets.
 pub fn smallest_mean_ratio(mesh: &RawMesh) -> f64 {
-    let ratio = |&tet: &[u32; 4]| mean_ratio(corners(&mesh.points, tet));
-    let ratios = mesh.tets.par_iter().with_min_len(CHUNK).map(ratio);
-    ratios.reduce(|| f64::INFINITY, f64::min)
+    mean_ratio_range(mesh).0
 }
 
 /// η of every tet.

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use octruss_mesh::quality::{QualitySummary, summarise};
+use octruss_mesh::quality::mean_ratio_range;
 use octruss_mesh::{FeatureReasons, Hierarchy, MarkingReport, Reason, Scheme, marking_report};
 use serde::Serialize;
 
@@ -192,14 +192,13 @@ impl LevelReport {
 
     pub(super) fn of_finest(hierarchy: &Hierarchy) -> Self {
         let mesh = hierarchy.finest();
-        let quality = summarise(mesh.raw());
-        let eta = |of: fn(&QualitySummary) -> f64| quality.as_ref().map_or(f64::NAN, of);
+        let (eta_min, eta_mean) = mean_ratio_range(mesh.raw());
         let guard = hierarchy.refinements.last().and_then(|refinement| refinement.guard);
         Self {
             vertices: mesh.points().len(),
             tets: mesh.tets().len(),
-            eta_min: eta(|quality| quality.eta.min),
-            eta_mean: eta(|quality| quality.eta.mean),
+            eta_min,
+            eta_mean,
             guard: guard.map(|guard| GuardFigures {
                 floor: guard.floor,
                 pulled_back: guard.pulled_back,

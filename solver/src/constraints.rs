@@ -10,7 +10,7 @@ use crate::dofs::Dofs;
 use crate::elasticity::{Held, Support};
 use crate::error::{Error, check_size};
 use crate::held_vertex::{Condition, HeldVertex};
-use crate::matrix3::{IDENTITY, Matrix3, Vector3, add, apply, dot3, length, scale};
+use crate::matrix3::{IDENTITY, Vector3, add, apply, dot3, length, scale};
 use crate::scalar::Scalar;
 use crate::surface::{check_surface, outward_triangles, triangles_of};
 use octruss_mesh::{TetMesh, Topology};
@@ -117,12 +117,6 @@ impl ByVertex<'_> {
     #[inline]
     pub(crate) fn get(&self, vertex: u32) -> Option<&HeldVertex> {
         self.held.get(self.slots[vertex as usize] as usize)
-    }
-
-    /// The projector of a vertex; the identity where it is free.
-    #[inline]
-    pub(crate) fn projector(&self, vertex: u32) -> &Matrix3 {
-        self.get(vertex).map_or(&IDENTITY, |held| &held.projector)
     }
 
     /// The prescribed displacement of a vertex; 0 where it is free.

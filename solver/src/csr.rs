@@ -18,7 +18,7 @@ pub struct Csr<T> {
     values: Vec<T>,
 }
 
-impl<T: Real> Csr<T> {
+impl<T: Copy> Csr<T> {
     /// A matrix with `columns` columns from its three arrays.
     ///
     /// # Errors
@@ -100,7 +100,9 @@ impl<T: Real> Csr<T> {
     pub fn bytes(&self) -> usize {
         size_of_val(&*self.offsets) + size_of_val(&*self.indices) + size_of_val(&*self.values)
     }
+}
 
+impl<T: Real> Csr<T> {
     /// The same matrix with every value rounded to `U`.
     pub fn cast<U: Real>(&self) -> Csr<U> {
         self.cast_scaled(1.0)

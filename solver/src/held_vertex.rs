@@ -1,6 +1,8 @@
 //! One vertex whose displacement is prescribed, wholly or in part.
 
-use crate::matrix3::{IDENTITY, Matrix3, Vector3, ZERO, add, dot3, length, outer, scale, subtract};
+use crate::matrix3::{
+    IDENTITY, Matrix3, Vector3, ZERO, add, dot3, length, multiply3, outer, scale, subtract,
+};
 
 /// Directions this close (the sine of the angle between a direction and those
 /// held already) count as held: 0.06°, some ten times what coordinates with six
@@ -98,13 +100,11 @@ impl HeldVertex {
     }
 }
 
-/// The identity on the free directions as far as a projector says, and `scale`
-/// on the held ones: Q A Q + s (I − Q).
-pub(crate) fn projected_diagonal(projector: &Matrix3, block: &Matrix3, scale: f64) -> Matrix3 {
-    use crate::matrix3::multiply3;
-    let inner = multiply3(&multiply3(projector, block), projector);
+/// Q A Q + s (I − Q) for a symmetric block A, symmetric to the last bit.
+pub(crate) fn projected_diagonal(q: &Matrix3, block: &Matrix3, s: f64) -> Matrix3 {
+    let inner = multiply3(&multiply3(q, block), q);
     std::array::from_fn(|i| {
-        std::array::from_fn(|j| inner[i][j] + scale * (IDENTITY[i][j] - projector[i][j]))
+        std::array::from_fn(|j| 0.5 * (inner[i][j] + inner[j][i]) + s * (IDENTITY[i][j] - q[i][j]))
     })
 }
 

@@ -6,11 +6,11 @@ use rayon::prelude::*;
 
 /// A matrix from the length of each row and a function that fills a row's
 /// columns, ascending, and values.
-pub(crate) fn build_rows(
+pub(crate) fn build_rows<E: Copy + Default + Send>(
     (rows, columns): (usize, usize),
     length: impl Fn(usize) -> usize + Sync,
-    fill: impl Fn(usize, &mut [u32], &mut [f64]) + Sync,
-) -> Csr<f64> {
+    fill: impl Fn(usize, &mut [u32], &mut [E]) + Sync,
+) -> Csr<E> {
     let lengths = map_ranges(rows, |range| range.map(&length).collect::<Vec<_>>());
     let mut offsets = Vec::with_capacity(rows + 1);
     offsets.push(0);
@@ -20,7 +20,7 @@ pub(crate) fn build_rows(
         offsets.push(end);
     }
     let mut indices = vec![0u32; end];
-    let mut values = vec![0.0; end];
+    let mut values = vec![E::default(); end];
     // Each chunk of rows gets its own piece of the two arrays.
     let (mut indices_left, mut values_left) = (&mut indices[..], &mut values[..]);
     let mut pieces = Vec::with_capacity(lengths.len());

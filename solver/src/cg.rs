@@ -3,6 +3,7 @@
 use crate::chunks::for_chunks;
 use crate::csr::Csr;
 use crate::dot::{dot, norm};
+use crate::entry::{Entry, Nodal};
 use crate::error::Error;
 use crate::kernels::{advance, product_dot, residual};
 use crate::preconditioner::Preconditioner;
@@ -19,19 +20,19 @@ use crate::run::{Run, SolveOptions};
 /// [`Error::NotPositiveDefinite`], [`Error::NotConverged`] and
 /// [`Error::Stopped`] carry history and last iterate; [`Error::NotFinite`],
 /// [`Error::Size`] and [`Error::Option`] come before the first iteration.
-pub fn conjugate_gradients(
-    matrix: &Csr<f64>,
-    rhs: &[f64],
-    preconditioner: &mut impl Preconditioner,
+pub fn conjugate_gradients<E: Entry<Real = f64>>(
+    matrix: &Csr<E>,
+    rhs: &[E::Nodal],
+    preconditioner: &mut impl Preconditioner<E::Nodal>,
     options: &SolveOptions<'_>,
-) -> Result<(Vec<f64>, SolveReport), Error> {
+) -> Result<(Vec<E::Nodal>, SolveReport), Error> {
     let mut run = Run::new(matrix, rhs, preconditioner.setup_seconds(), options)?;
-    let mut x = vec![0.0; rhs.len()];
+    let mut x = vec![E::Nodal::default(); rhs.len()];
     if run.is_trivial() {
         return Ok(run.finish(x));
     }
     let mut r = rhs.to_vec();
-    let [mut z, mut p, mut q] = std::array::from_fn(|_| vec![0.0; rhs.len()]);
+    let [mut z, mut p, mut q] = std::array::from_fn(|_| vec![E::Nodal::default(); rhs.len()]);
     let mut previous_rz = f64::INFINITY; // p = z in the first iteration
     let mut last_true_norm = f64::INFINITY;
     while run.may_go_on() {
@@ -42,16 +43,14 @@ pub fn conjugate_gradients(
             return Err(Error::NotPositiveDefinite { what, at: run.unfinished(x) });
         }
         let keep = rz / previous_rz;
-        for_chunks(&mut p, |first, chunk| {
-            for (p, z) in chunk.iter_mut().zip(&z[first..]) {
-                *p = z + keep * *p;
-            }
-        });
+        follow(Nodal::flat(&z), keep, Nodal::flat_mut(&mut p));
         let pq = product_dot(matrix, &p, &mut q);
         if pq <= 0.0 || pq.is_nan() {
             return Err(Error::NotPositiveDefinite { what: "matrix", at: run.unfinished(x) });
         }
-        let residual_norm = advance(rz / pq, (&p, &q), &mut x, &mut r).sqrt();
+        let directions = (Nodal::flat(&p), Nodal::flat(&q));
+        let (x_flat, r_flat) = (Nodal::flat_mut(&mut x), Nodal::flat_mut(&mut r));
+        let residual_norm = advance(rz / pq, directions, x_flat, r_flat).sqrt();
         let wish = run.record(residual_norm);
         previous_rz = rz;
         if run.is_small(residual_norm) {
@@ -71,6 +70,15 @@ pub fn conjugate_gradients(
         }
     }
     Err(Error::NotConverged(run.unfinished(x)))
+}
+
+/// p ← z + keep p.
+fn follow(z: &[f64], keep: f64, p: &mut [f64]) {
+    for_chunks(p, |first, chunk| {
+        for (p, z) in chunk.iter_mut().zip(&z[first..]) {
+            *p = z + keep * *p;
+        }
+    });
 }
 
 #[cfg(test)]

@@ -5,19 +5,21 @@
 //! one pass over the matrix a step. In the energy product the polynomial is
 //! symmetric, so the cycle is.
 
+use crate::chunks::map_chunks2;
 use crate::csr::Csr;
+use crate::entry::{Entry, Nodal};
 use crate::kernels::chebyshev_step;
 use crate::real::Real;
 
 /// The coefficients of the recurrence d ← keep d + add D⁻¹ r for each step.
 #[derive(Debug, Clone)]
-pub(crate) struct Chebyshev<T> {
-    steps: Vec<(T, T)>,
-    direction: Vec<T>,
-    next: Vec<T>,
+pub(crate) struct Chebyshev<E: Entry> {
+    steps: Vec<(E::Real, E::Real)>,
+    direction: Vec<E::Nodal>,
+    next: Vec<E::Nodal>,
 }
 
-impl<T: Real> Chebyshev<T> {
+impl<E: Entry> Chebyshev<E> {
     /// The polynomial of `degree` that is smallest on [`lower`, `upper`].
     pub(crate) fn new(unknowns: usize, degree: usize, lower: f64, upper: f64) -> Self {
         let (centre, radius) = (0.5 * (upper + lower), 0.5 * (upper - lower));
@@ -29,11 +31,11 @@ impl<T: Real> Chebyshev<T> {
             rho = 1.0 / (2.0 * sigma - previous);
             steps.push((rho * previous, 2.0 * rho / radius));
         }
-        let round = |(keep, add)| (T::from_f64(keep), T::from_f64(add));
+        let round = |(keep, add)| (E::Real::from_f64(keep), E::Real::from_f64(add));
         Self {
             steps: steps.into_iter().map(round).collect(),
-            direction: vec![T::default(); unknowns],
-            next: vec![T::default(); unknowns],
+            direction: vec![E::Nodal::default(); unknowns],
+            next: vec![E::Nodal::default(); unknowns],
         }
     }
 
@@ -41,14 +43,14 @@ impl<T: Real> Chebyshev<T> {
     /// it holds, and the first step needs no product.
     pub(crate) fn smooth(
         &mut self,
-        matrix: &Csr<T>,
-        inverse_diagonal: &[T],
-        (b, x): (&[T], &mut Vec<T>),
+        matrix: &Csr<E>,
+        inverse_diagonal: &[E],
+        (b, x): (&[E::Nodal], &mut Vec<E::Nodal>),
         from_zero: bool,
     ) {
         for (step, &(keep, add)) in self.steps.iter().enumerate() {
             if step == 0 && from_zero {
-                start(add, (inverse_diagonal, b), &mut self.direction, x);
+                start::<E>(add, (inverse_diagonal, b), &mut self.direction, x);
                 continue;
             }
             chebyshev_step(
@@ -68,10 +70,16 @@ impl<T: Real> Chebyshev<T> {
 }
 
 /// The first step from zero: d = x = add D⁻¹ b.
-fn start<T: Real>(add: T, (inverse_diagonal, b): (&[T], &[T]), d: &mut [T], x: &mut [T]) {
-    crate::chunks::map_chunks2(d, x, |first, d, x| {
+fn start<E: Entry>(
+    add: E::Real,
+    (inverse_diagonal, b): (&[E], &[E::Nodal]),
+    d: &mut [E::Nodal],
+    x: &mut [E::Nodal],
+) {
+    map_chunks2(d, x, |first, d, x| {
         for (k, (d, x)) in d.iter_mut().zip(x).enumerate() {
-            *d = add * (inverse_diagonal[first + k] * b[first + k]);
+            let scaled = inverse_diagonal[first + k].add_product(b[first + k], E::Nodal::default());
+            *d = scaled.scaled(add);
             *x = *d;
         }
     });

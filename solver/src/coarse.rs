@@ -54,7 +54,7 @@ impl CoarseSolver {
             return Err(Error::CoarsestTooLarge { unknowns, limit: LARGEST });
         }
         // Fewer than 2^32 entries: 20,000 rows cannot hold more.
-        let offsets: Vec<u32> = matrix.offsets().iter().map(|&at| at as u32).collect();
+        let offsets: Vec<u32> = (0..=unknowns).map(|row| matrix.offset(row) as u32).collect();
         let pattern = SymbolicSparseColMatRef::new_checked(
             unknowns,
             unknowns,

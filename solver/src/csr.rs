@@ -1,25 +1,28 @@
 //! Compressed sparse rows with `u32` columns: the form all hot loops read.
 
+use crate::entry::Entry;
 use crate::error::Error;
-use crate::real::Real;
+use crate::pattern::{Pattern, first_fault};
 use nalgebra_sparse::CsrMatrix;
 use rayon::prelude::*;
+use std::sync::Arc;
 
-/// A sparse matrix by rows, columns ascending in each row.
+/// A sparse matrix by rows, columns ascending in each row; an entry is a number
+/// or a 3 × 3 block (`[[f64; 3]; 3]`, row by row) in double or single precision.
 ///
-/// Twelve bytes an entry in double and eight in single precision, where the
-/// public exchange form [`CsrMatrix`] takes sixteen.
+/// Twelve bytes an entry in double and eight in single precision (blocks: 76 and
+/// 40), where the public exchange form [`CsrMatrix`] takes sixteen. Matrices with
+/// the same pattern, such as a matrix and its rounded copy, share it.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Csr<T> {
-    columns: usize,
-    /// Row i is entries `offsets[i]..offsets[i + 1]`.
-    offsets: Vec<usize>,
-    indices: Vec<u32>,
-    values: Vec<T>,
+pub struct Csr<E> {
+    pattern: Arc<Pattern>,
+    values: Vec<E>,
 }
 
-impl<T: Copy> Csr<T> {
-    /// A matrix with `columns` columns from its three arrays.
+impl<E: Copy> Csr<E> {
+    /// A matrix with `columns` columns from its three arrays: where each row
+    /// begins, and at the end the number of entries; the column of each entry;
+    /// its value.
     ///
     /// # Errors
     /// [`Error::Malformed`] if offsets do not ascend from 0 to the number of
@@ -28,7 +31,7 @@ impl<T: Copy> Csr<T> {
         columns: usize,
         offsets: Vec<usize>,
         indices: Vec<u32>,
-        values: Vec<T>,
+        values: Vec<E>,
     ) -> Result<Self, Error> {
         if values.len() != indices.len() {
             let what = "there must be one value for each column index";
@@ -37,7 +40,7 @@ impl<T: Copy> Csr<T> {
         if let Some((row, what)) = first_fault(columns, &offsets, &indices) {
             return Err(Error::Malformed { row, what });
         }
-        Ok(Self { columns, offsets, indices, values })
+        Ok(Self { pattern: Arc::new(Pattern::new(columns, offsets, indices)), values })
     }
 
     /// As [`Csr::new`] for arrays that are right by construction.
@@ -45,21 +48,21 @@ impl<T: Copy> Csr<T> {
         columns: usize,
         offsets: Vec<usize>,
         indices: Vec<u32>,
-        values: Vec<T>,
+        values: Vec<E>,
     ) -> Self {
         debug_assert_eq!(first_fault(columns, &offsets, &indices), None);
         debug_assert_eq!(values.len(), indices.len());
-        Self { columns, offsets, indices, values }
+        Self { pattern: Arc::new(Pattern::new(columns, offsets, indices)), values }
     }
 
     /// The number of rows.
     pub fn rows(&self) -> usize {
-        self.offsets.len() - 1
+        self.pattern.rows()
     }
 
     /// The number of columns.
     pub fn columns(&self) -> usize {
-        self.columns
+        self.pattern.columns
     }
 
     /// The number of stored entries.
@@ -69,28 +72,29 @@ impl<T: Copy> Csr<T> {
 
     /// The columns, ascending, and values of row `i`.
     #[inline]
-    pub fn row(&self, i: usize) -> (&[u32], &[T]) {
-        let entries = self.offsets[i]..self.offsets[i + 1];
-        (&self.indices[entries.clone()], &self.values[entries])
+    pub fn row(&self, i: usize) -> (&[u32], &[E]) {
+        let entries = self.pattern.row(i);
+        (&self.pattern.indices[entries.clone()], &self.values[entries])
     }
 
-    /// Where each row begins in the arrays of entries, and their number at the end.
-    pub fn offsets(&self) -> &[usize] {
-        &self.offsets
+    /// Where row `i` begins in the arrays of entries; for `i` = rows their number.
+    #[inline]
+    pub fn offset(&self, i: usize) -> usize {
+        self.pattern.offset(i)
     }
 
     /// The column of every entry, row by row.
     pub fn indices(&self) -> &[u32] {
-        &self.indices
+        &self.pattern.indices
     }
 
     /// The value of every entry, row by row.
-    pub fn values(&self) -> &[T] {
+    pub fn values(&self) -> &[E] {
         &self.values
     }
 
     /// The entry at (`i`, `j`), or `None` where nothing is stored.
-    pub fn get(&self, i: usize, j: usize) -> Option<T> {
+    pub fn get(&self, i: usize, j: usize) -> Option<E> {
         let (indices, values) = self.row(i);
         let at = indices.binary_search(&u32::try_from(j).ok()?).ok()?;
         Some(values[at])
@@ -98,52 +102,26 @@ impl<T: Copy> Csr<T> {
 
     /// The memory the three arrays take, in bytes.
     pub fn bytes(&self) -> usize {
-        size_of_val(&*self.offsets) + size_of_val(&*self.indices) + size_of_val(&*self.values)
+        self.pattern.bytes() + size_of_val(&*self.values)
+    }
+
+    /// The same pattern, shared, with other values.
+    pub(crate) fn with_values<F>(&self, values: Vec<F>) -> Csr<F> {
+        assert_eq!(values.len(), self.values.len());
+        Csr { pattern: Arc::clone(&self.pattern), values }
     }
 }
 
-impl<T: Real> Csr<T> {
-    /// The same matrix with every value rounded to `U`.
-    pub fn cast<U: Real>(&self) -> Csr<U> {
+impl<E: Entry> Csr<E> {
+    /// The same matrix with every value rounded to `F`.
+    pub fn cast<F: Entry>(&self) -> Csr<F> {
         self.cast_scaled(1.0)
     }
 
-    /// `scale` times the matrix, every value then rounded to `U`.
-    pub(crate) fn cast_scaled<U: Real>(&self, scale: f64) -> Csr<U> {
-        let round = |v: &T| U::from_f64(scale * v.to_f64());
-        self.with_values(self.values.par_iter().map(round).collect())
+    /// `scale` times the matrix, every value then rounded to `F`.
+    pub(crate) fn cast_scaled<F: Entry>(&self, scale: f64) -> Csr<F> {
+        self.with_values(self.values.par_iter().map(|v| v.cast_scaled(scale)).collect())
     }
-
-    /// The same pattern with other values.
-    pub(crate) fn with_values<U: Real>(&self, values: Vec<U>) -> Csr<U> {
-        assert_eq!(values.len(), self.indices.len());
-        Csr {
-            columns: self.columns,
-            offsets: self.offsets.clone(),
-            indices: self.indices.clone(),
-            values,
-        }
-    }
-}
-
-/// The first row at fault in a pattern, and what must hold there.
-fn first_fault(
-    columns: usize,
-    offsets: &[usize],
-    indices: &[u32],
-) -> Option<(usize, &'static str)> {
-    if offsets.first() != Some(&0) || offsets.last() != Some(&indices.len()) {
-        return Some((0, "row offsets must run from 0 to the number of entries"));
-    }
-    offsets.windows(2).enumerate().find_map(|(row, ends)| {
-        let Some(row_indices) = indices.get(ends[0]..ends[1]) else {
-            return Some((row, "row offsets must ascend"));
-        };
-        let ascending = row_indices.windows(2).all(|pair| pair[0] < pair[1]);
-        let within = row_indices.last().is_none_or(|&j| (j as usize) < columns);
-        (!ascending || !within)
-            .then_some((row, "columns must ascend and be less than their number"))
-    })
 }
 
 impl TryFrom<&CsrMatrix<f64>> for Csr<f64> {
@@ -167,9 +145,9 @@ impl From<&Csr<f64>> for CsrMatrix<f64> {
     fn from(matrix: &Csr<f64>) -> Self {
         CsrMatrix::try_from_csr_data(
             matrix.rows(),
-            matrix.columns,
-            matrix.offsets.clone(),
-            matrix.indices.iter().map(|&j| j as usize).collect(),
+            matrix.columns(),
+            (0..=matrix.rows()).map(|i| matrix.offset(i)).collect(),
+            matrix.indices().iter().map(|&j| j as usize).collect(),
             matrix.values.clone(),
         )
         .expect("both types ask for ascending columns within bounds")
@@ -201,6 +179,6 @@ mod tests {
         assert_eq!(public.get_entry(0, 2).unwrap().into_value(), -2.0);
         assert_eq!(Csr::try_from(&public).unwrap(), ours);
         assert_eq!((ours.get(2, 1), ours.get(1, 1)), (Some(0.5), None));
-        assert_eq!(ours.bytes(), 4 * 8 + 3 * 12);
+        assert_eq!(ours.bytes(), 4 * 4 + 3 * 12);
     }
 }

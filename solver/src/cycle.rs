@@ -1,19 +1,21 @@
 //! The V-cycle, in one precision.
 
+use crate::chunks::for_chunks;
 use crate::coarse::CoarseSolver;
 use crate::dot::largest;
+use crate::entry::{Entry, Nodal};
 use crate::level::Level;
 use crate::real::Real;
 
 /// All smoothed levels of a scaled matrix, finest first, and the direct solver
 /// below them.
-pub(crate) struct VCycle<T> {
-    pub(crate) levels: Vec<Level<T>>,
+pub(crate) struct VCycle<E: Entry> {
+    pub(crate) levels: Vec<Level<E>>,
     pub(crate) coarsest: Coarsest,
     /// All matrices are this times those of the problem.
     matrix_scale: f64,
-    rhs: Vec<T>,
-    x: Vec<T>,
+    rhs: Vec<E::Nodal>,
+    x: Vec<E::Nodal>,
 }
 
 /// The direct solver with its right-hand side and solution in double precision.
@@ -23,14 +25,14 @@ pub(crate) struct Coarsest {
     x: Vec<f64>,
 }
 
-impl<T: Real> VCycle<T> {
+impl<E: Entry> VCycle<E> {
     pub(crate) fn new(
         unknowns: usize,
-        levels: Vec<Level<T>>,
+        levels: Vec<Level<E>>,
         coarsest: Coarsest,
         matrix_scale: f64,
     ) -> Self {
-        let zero = vec![T::default(); unknowns];
+        let zero = vec![E::Nodal::default(); unknowns];
         Self { levels, coarsest, matrix_scale, rhs: zero.clone(), x: zero }
     }
 
@@ -41,24 +43,30 @@ impl<T: Real> VCycle<T> {
         if scale == 0.0 {
             return z.fill(0.0);
         }
-        crate::chunks::for_chunks(&mut self.rhs, |first, chunk| {
+        for_chunks(E::Nodal::flat_mut(&mut self.rhs), |first, chunk| {
             for (rhs, r) in chunk.iter_mut().zip(&r[first..]) {
-                *rhs = T::from_f64(r / scale);
+                *rhs = E::Real::from_f64(r / scale);
             }
         });
         v_cycle(&mut self.levels, &mut self.coarsest, &self.rhs, &mut self.x);
         let back = scale * self.matrix_scale;
-        crate::chunks::for_chunks(z, |first, chunk| {
-            for (z, x) in chunk.iter_mut().zip(&self.x[first..]) {
+        let x = E::Nodal::flat(&self.x);
+        for_chunks(z, |first, chunk| {
+            for (z, x) in chunk.iter_mut().zip(&x[first..]) {
                 *z = back * x.to_f64();
             }
         });
     }
 }
 
-fn v_cycle<T: Real>(levels: &mut [Level<T>], coarsest: &mut Coarsest, b: &[T], x: &mut Vec<T>) {
+fn v_cycle<E: Entry>(
+    levels: &mut [Level<E>],
+    coarsest: &mut Coarsest,
+    b: &[E::Nodal],
+    x: &mut Vec<E::Nodal>,
+) {
     let Some((level, coarser)) = levels.split_first_mut() else {
-        return coarsest.solve(b, x);
+        return coarsest.solve(Nodal::flat(b), Nodal::flat_mut(x));
     };
     level.smooth_before(b, x);
     level.restrict_residual(b, x);

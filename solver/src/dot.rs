@@ -2,23 +2,26 @@
 //! summed by itself, the chunk sums are added in order.
 
 use crate::chunks::map_ranges;
+use crate::entry::Nodal;
 
 /// The scalar product of two vectors of equal length.
 ///
 /// # Panics
 /// If the lengths differ.
-pub fn dot(a: &[f64], b: &[f64]) -> f64 {
+pub fn dot<V: Nodal<Real = f64>>(a: &[V], b: &[V]) -> f64 {
     assert_eq!(a.len(), b.len());
+    let (a, b) = (V::flat(a), V::flat(b));
     map_ranges(a.len(), |range| chunk_dot(&a[range.clone()], &b[range])).iter().sum()
 }
 
 /// The Euclidean norm.
-pub fn norm(a: &[f64]) -> f64 {
+pub fn norm<V: Nodal<Real = f64>>(a: &[V]) -> f64 {
     dot(a, a).sqrt()
 }
 
 /// The largest absolute value, 0 for an empty vector.
-pub(crate) fn largest(a: &[f64]) -> f64 {
+pub(crate) fn largest<V: Nodal<Real = f64>>(a: &[V]) -> f64 {
+    let a = V::flat(a);
     map_ranges(a.len(), |range| a[range].iter().fold(0.0_f64, |m, v| m.max(v.abs())))
         .into_iter()
         .fold(0.0, f64::max)

@@ -161,7 +161,8 @@ pub enum Error {
         level: usize,
         /// The first row at fault.
         row: usize,
-        /// The value found, 0 where nothing is stored.
+        /// The value found, 0 where nothing is stored; of a block the first pivot
+        /// that is not positive.
         value: f64,
     },
     /// The coarsest level is too large for a direct solver.

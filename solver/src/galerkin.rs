@@ -8,12 +8,29 @@
 
 use crate::chunks::map_ranges;
 use crate::csr::Csr;
+use crate::entry::Entry;
 
 /// A B, with every entry that the patterns can produce, zeros included.
 ///
 /// # Panics
 /// If the inner dimensions differ.
 pub fn multiply(a: &Csr<f64>, b: &Csr<f64>) -> Csr<f64> {
+    multiply_by(a, b, |a, b, sum| sum + a * b)
+}
+
+/// Pᵀ A P for a symmetric A, a number of P times an entry of A. The lower triangle
+/// is a copy of the upper one, so that the result is symmetric to the last bit.
+pub fn galerkin<E: Entry<Real = f64>>(a: &Csr<E>, p: &Csr<f64>, p_transposed: &Csr<f64>) -> Csr<E> {
+    let a_p = multiply_by(a, p, |a, p, sum: E| sum.add_scaled(p, a));
+    mirror_upper(&multiply_by(p_transposed, &a_p, |p, a, sum: E| sum.add_scaled(p, a)))
+}
+
+/// A B where `add(a, b, sum)` is sum + a b.
+fn multiply_by<A: Copy + Sync, B: Copy + Sync, C: Entry>(
+    a: &Csr<A>,
+    b: &Csr<B>,
+    add: impl Fn(A, B, C) -> C + Sync,
+) -> Csr<C> {
     assert_eq!(a.columns(), b.rows(), "columns of the left, rows of the right factor");
     let chunks = map_ranges(a.rows(), |rows| {
         let mut gathered = Gathered::new(b.columns());
@@ -23,7 +40,8 @@ pub fn multiply(a: &Csr<f64>, b: &Csr<f64>) -> Csr<f64> {
             for (&k, &weight) in indices.iter().zip(values) {
                 let (columns, row) = b.row(k as usize);
                 for (&j, &v) in columns.iter().zip(row) {
-                    gathered.add(j, weight * v);
+                    let sum = gathered.at(j);
+                    *sum = add(weight, v, *sum);
                 }
             }
             gathered.end_row();
@@ -34,27 +52,21 @@ pub fn multiply(a: &Csr<f64>, b: &Csr<f64>) -> Csr<f64> {
     join(b.columns(), a.rows(), &chunks)
 }
 
-/// Pᵀ A P for a symmetric A. The lower triangle is a copy of the upper one, so
-/// that the result is symmetric to the last bit.
-pub fn galerkin(a: &Csr<f64>, p: &Csr<f64>, p_transposed: &Csr<f64>) -> Csr<f64> {
-    mirror_upper(&multiply(p_transposed, &multiply(a, p)))
-}
-
 /// One row at a time as a dense accumulator, finished rows behind each other.
-struct Gathered {
-    sums: Vec<f64>,
+struct Gathered<E> {
+    sums: Vec<E>,
     /// For each column the number of the last row that touched it.
     touched_by: Vec<u32>,
     row: u32,
     row_start: usize,
     indices: Vec<u32>,
-    values: Vec<f64>,
+    values: Vec<E>,
 }
 
-impl Gathered {
+impl<E: Entry> Gathered<E> {
     fn new(columns: usize) -> Self {
         Self {
-            sums: vec![0.0; columns],
+            sums: vec![E::default(); columns],
             touched_by: vec![u32::MAX; columns],
             row: 0,
             row_start: 0,
@@ -64,15 +76,14 @@ impl Gathered {
     }
 
     #[inline]
-    fn add(&mut self, column: u32, value: f64) {
+    fn at(&mut self, column: u32) -> &mut E {
         let j = column as usize;
-        if self.touched_by[j] == self.row {
-            self.sums[j] += value;
-        } else {
+        if self.touched_by[j] != self.row {
             self.touched_by[j] = self.row;
-            self.sums[j] = value;
+            self.sums[j] = E::default();
             self.indices.push(column);
         }
+        &mut self.sums[j]
     }
 
     fn end_row(&mut self) {
@@ -84,9 +95,9 @@ impl Gathered {
     }
 }
 
-type Chunk = (Vec<usize>, Vec<u32>, Vec<f64>);
+type Chunk<E> = (Vec<usize>, Vec<u32>, Vec<E>);
 
-fn join(columns: usize, rows: usize, chunks: &[Chunk]) -> Csr<f64> {
+fn join<E: Entry>(columns: usize, rows: usize, chunks: &[Chunk<E>]) -> Csr<E> {
     let mut offsets = Vec::with_capacity(rows + 1);
     offsets.push(0);
     for (ends, ..) in chunks {
@@ -94,21 +105,21 @@ fn join(columns: usize, rows: usize, chunks: &[Chunk]) -> Csr<f64> {
         offsets.extend(ends.iter().map(|end| base + end));
     }
     let indices: Vec<&[u32]> = chunks.iter().map(|(_, indices, _)| &**indices).collect();
-    let values: Vec<&[f64]> = chunks.iter().map(|(.., values)| &**values).collect();
+    let values: Vec<&[E]> = chunks.iter().map(|(.., values)| &**values).collect();
     Csr::trusted(columns, offsets, indices.concat(), values.concat())
 }
 
-/// The matrix with entry (i, j) replaced by entry (j, i) wherever j < i; the
+/// The matrix with entry (i, j) replaced by the transpose of entry (j, i) wherever j < i; the
 /// pattern must be symmetric.
-fn mirror_upper(matrix: &Csr<f64>) -> Csr<f64> {
+fn mirror_upper<E: Entry>(matrix: &Csr<E>) -> Csr<E> {
     let chunks = map_ranges(matrix.rows(), |rows| {
-        let entries = matrix.offsets()[rows.start]..matrix.offsets()[rows.end];
+        let entries = matrix.offset(rows.start)..matrix.offset(rows.end);
         let mut values = Vec::with_capacity(entries.len());
         for i in rows {
             let (indices, row) = matrix.row(i);
             for (&j, &v) in indices.iter().zip(row) {
                 let j = j as usize;
-                values.push(if j < i { matrix.get(j, i).unwrap_or(v) } else { v });
+                values.push(if j < i { matrix.get(j, i).map_or(v, E::transposed) } else { v });
             }
         }
         values

@@ -1,7 +1,8 @@
 //! Gauss–Seidel sweeps: the serial reference smoother.
 
 use crate::csr::Csr;
-use crate::real::Real;
+use crate::entry::{Entry, Nodal};
+use crate::kernels::row_product;
 
 /// The order in which a sweep visits the unknowns.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -13,16 +14,16 @@ pub(crate) enum Order {
 }
 
 /// One sweep for A x = b: each unknown in turn solves its own equation.
-pub(crate) fn sweep<T: Real>(
-    matrix: &Csr<T>,
-    inverse_diagonal: &[T],
-    b: &[T],
-    x: &mut [T],
+pub(crate) fn sweep<E: Entry>(
+    matrix: &Csr<E>,
+    inverse_diagonal: &[E],
+    b: &[E::Nodal],
+    x: &mut [E::Nodal],
     order: Order,
 ) {
     let mut relax = |i: usize| {
-        let r = b[i] - crate::kernels::row_product(matrix, i, x);
-        x[i] += inverse_diagonal[i] * r;
+        let r = b[i].minus(row_product(matrix, i, x));
+        x[i] = inverse_diagonal[i].add_product(r, x[i]);
     };
     match order {
         Order::Forward => (0..matrix.rows()).for_each(&mut relax),

@@ -7,7 +7,7 @@
 //! ```
 //!
 //! [`Multigrid`] knows matrices only, no mesh. Matrices are [`Csr`]: `u32`
-//! columns, double precision outside, single precision inside the cycle; all
+//! columns, entries that are numbers or 3 × 3 blocks, double precision outside, single precision inside the cycle; all
 //! loops are parallel over fixed chunks of rows, so results have the same bits
 //! for any number of threads. Errors are values ([`Error`]) and carry what was
 //! reached.
@@ -37,6 +37,7 @@ mod assemble;
 mod assemble_elasticity;
 mod blame;
 mod by_region;
+mod blocks;
 mod cg;
 mod chebyshev;
 mod chunks;
@@ -44,11 +45,13 @@ mod coarse;
 mod constraints;
 mod csr;
 mod cycle;
+mod diagonal;
 mod dofs;
 mod dot;
 mod elasticity;
 mod elasticity_load;
 mod element;
+mod entry;
 mod error;
 mod forces;
 mod foundation;
@@ -63,6 +66,7 @@ mod multigrid;
 mod norms;
 mod options;
 mod poisson_load;
+mod pattern;
 mod preconditioner;
 mod problem;
 pub mod quadrature;
@@ -94,6 +98,7 @@ pub use csr::Csr;
 pub use dofs::Dofs;
 pub use dot::{dot, norm};
 pub use elasticity::{Elasticity, Held, Material, Stiffness, Support, Vector, vector};
+pub use entry::{Acts, Entry, Nodal};
 pub use error::Error;
 pub use forces::Forces;
 pub use galerkin::{galerkin, multiply};

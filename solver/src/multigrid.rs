@@ -1,16 +1,17 @@
 //! Geometric multigrid from matrices alone.
 
-use crate::chunks::map_ranges;
+use crate::blocks::expand_blocks;
 use crate::coarse::CoarseSolver;
 use crate::csr::Csr;
 use crate::cycle::{Coarsest, VCycle};
+use crate::diagonal::Diagonal;
 use crate::dot::largest;
+use crate::entry::{Entry, Nodal};
 use crate::error::{Error, check_finite, check_size};
 use crate::galerkin::galerkin;
 use crate::level::Level;
 use crate::options::{MultigridOptions, Precision};
 use crate::preconditioner::Preconditioner;
-use crate::real::Real;
 use crate::spectrum::largest_eigenvalue;
 use crate::summary::LevelSummary;
 use crate::transpose::transpose;
@@ -21,19 +22,19 @@ use std::time::Instant;
 ///
 /// Coarse matrices are Galerkin products Pᵀ A P; the coarsest level is solved
 /// directly. Prints itself as a table of its levels.
-pub struct Multigrid {
-    cycle: Cycle,
+pub struct Multigrid<E: Entry = f64> {
+    cycle: Cycle<E>,
     summaries: Vec<LevelSummary>,
     options: MultigridOptions,
     setup_seconds: f64,
 }
 
-enum Cycle {
-    Single(VCycle<f32>),
-    Double(VCycle<f64>),
+enum Cycle<E: Entry> {
+    Single(VCycle<E::Single>),
+    Double(VCycle<E>),
 }
 
-impl Multigrid {
+impl<E: Entry<Real = f64>> Multigrid<E> {
     /// Builds all levels.
     ///
     /// `matrix` is the finest, symmetric positive definite. `prolongations` come
@@ -46,14 +47,14 @@ impl Multigrid {
     /// [`Error::CoarsestTooLarge`] or [`Error::CoarsestSingular`] for a
     /// coarsest level that cannot be solved directly, [`Error::Option`].
     pub fn new(
-        matrix: &Csr<f64>,
+        matrix: &Csr<E>,
         prolongations: Vec<Csr<f64>>,
         options: &MultigridOptions,
     ) -> Result<Self, Error> {
         let start = Instant::now();
         options.check()?;
         check_size("columns of the matrix", matrix.columns(), matrix.rows())?;
-        check_finite("matrix", matrix.values())?;
+        check_finite("matrix", E::flat(matrix.values()))?;
         let (cycle, summaries) = match options.precision {
             Precision::Single => {
                 let (cycle, summaries) = build(matrix, prolongations, options)?;
@@ -67,7 +68,9 @@ impl Multigrid {
         let setup_seconds = start.elapsed().as_secs_f64();
         Ok(Self { cycle, summaries, options: *options, setup_seconds })
     }
+}
 
+impl<E: Entry> Multigrid<E> {
     /// What each level holds, finest first.
     pub fn levels(&self) -> &[LevelSummary] {
         &self.summaries
@@ -113,8 +116,9 @@ impl Multigrid {
     }
 }
 
-impl Preconditioner for Multigrid {
-    fn apply(&mut self, r: &[f64], z: &mut [f64]) {
+impl<E: Entry<Real = f64>> Preconditioner<E::Nodal> for Multigrid<E> {
+    fn apply(&mut self, r: &[E::Nodal], z: &mut [E::Nodal]) {
+        let (r, z) = (Nodal::flat(r), Nodal::flat_mut(z));
         match &mut self.cycle {
             Cycle::Single(cycle) => cycle.apply(r, z),
             Cycle::Double(cycle) => cycle.apply(r, z),
@@ -126,41 +130,41 @@ impl Preconditioner for Multigrid {
     }
 }
 
-/// Levels from the finest to the coarsest, in precision `T`.
-fn build<T: Real>(
-    matrix: &Csr<f64>,
+/// Levels from the finest to the coarsest, with entries `F` in the cycle.
+fn build<E: Entry<Real = f64>, F: Entry>(
+    matrix: &Csr<E>,
     prolongations: Vec<Csr<f64>>,
     options: &MultigridOptions,
-) -> Result<(VCycle<T>, Vec<LevelSummary>), Error> {
-    let mut diagonal = positive_diagonal(matrix, 0)?;
-    let scale = scale_to_one(&diagonal);
+) -> Result<(VCycle<F>, Vec<LevelSummary>), Error> {
+    let mut diagonal = Diagonal::new(matrix, 0)?;
+    let scale = scale_to_one(E::flat(&diagonal.entries));
     let (mut levels, mut summaries) = (Vec::new(), Vec::new());
     let mut current = Cow::Borrowed(matrix);
     for prolongation in prolongations.into_iter().take_while(|p| p.columns() > 0) {
         check_size("rows of a prolongation", prolongation.rows(), current.rows())?;
         check_finite("prolongation", prolongation.values())?;
-        let eigenvalue = largest_eigenvalue(&current, &diagonal);
+        let eigenvalue = largest_eigenvalue(&current, &diagonal.entries, &diagonal.inverses);
         let restriction = transpose(&prolongation);
         let coarse = galerkin(&current, &prolongation, &restriction);
         let transfer = (&prolongation, &restriction);
-        let scaled = (&*current, &*diagonal, scale);
-        let level = Level::<T>::new(scaled, eigenvalue, transfer, options);
+        let scaled = (&*current, &*diagonal.inverses, scale);
+        let level = Level::<F>::new(scaled, eigenvalue, transfer, options);
         summaries.push(LevelSummary {
-            unknowns: current.rows(),
-            nonzeros: current.nonzeros(),
+            unknowns: current.rows() * E::SIZE,
+            nonzeros: current.nonzeros() * E::SIZE * E::SIZE,
             bytes: level.bytes(),
-            prolongation_nonzeros: Some(prolongation.nonzeros()),
+            prolongation_nonzeros: Some(prolongation.nonzeros() * E::SIZE),
             largest_eigenvalue: Some(eigenvalue),
         });
         levels.push(level);
         current = Cow::Owned(coarse);
-        diagonal = positive_diagonal(&current, levels.len())?;
+        diagonal = Diagonal::new(&current, levels.len())?;
     }
-    let (unknowns, nonzeros) = (current.rows(), current.nonzeros());
-    let solver = CoarseSolver::new(current.cast_scaled(scale))?;
+    let solver = CoarseSolver::new(expand_blocks(&current, scale))?;
+    let unknowns = current.rows() * E::SIZE;
     summaries.push(LevelSummary {
         unknowns,
-        nonzeros,
+        nonzeros: current.nonzeros() * E::SIZE * E::SIZE,
         bytes: solver.bytes(),
         prolongation_nonzeros: None,
         largest_eigenvalue: None,
@@ -177,15 +181,6 @@ fn scale_to_one(diagonal: &[f64]) -> f64 {
         0.0 => 1.0,
         top => 2.0_f64.powi(-(top.log2().floor() as i32)),
     }
-}
-
-fn positive_diagonal(matrix: &Csr<f64>, level: usize) -> Result<Vec<f64>, Error> {
-    let entry = |row: usize| match matrix.get(row, row).unwrap_or(0.0) {
-        value if value > 0.0 => Ok(value),
-        value => Err(Error::Diagonal { level, row, value }),
-    };
-    let chunks = map_ranges(matrix.rows(), |rows| rows.map(entry).collect::<Result<Vec<_>, _>>());
-    Ok(chunks.into_iter().collect::<Result<Vec<_>, _>>()?.concat())
 }
 
 #[cfg(test)]

@@ -22,7 +22,8 @@ pub struct Unfinished {
     /// What was done and reached.
     pub report: SolveReport,
     /// The last iterate. Conjugate gradients decrease the energy norm of the
-    /// error in every iteration, so the last is the best.
+    /// error in every iteration, so the last is the best. Of a system of blocks
+    /// three numbers for each row.
     pub iterate: Vec<f64>,
 }
 

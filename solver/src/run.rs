@@ -2,6 +2,7 @@
 
 use crate::csr::Csr;
 use crate::dot::norm;
+use crate::entry::{Entry, Nodal};
 use crate::error::{Error, check_finite, check_size};
 use crate::kernels::residual;
 use crate::report::{SolveReport, Unfinished};
@@ -31,9 +32,9 @@ impl Default for SolveOptions<'_> {
 }
 
 /// A solve under way.
-pub(crate) struct Run<'a> {
-    matrix: &'a Csr<f64>,
-    rhs: &'a [f64],
+pub(crate) struct Run<'a, E: Entry> {
+    matrix: &'a Csr<E>,
+    rhs: &'a [E::Nodal],
     rhs_norm: f64,
     options: &'a SolveOptions<'a>,
     setup_seconds: f64,
@@ -41,19 +42,19 @@ pub(crate) struct Run<'a> {
     history: Vec<f64>,
 }
 
-impl<'a> Run<'a> {
+impl<'a, E: Entry<Real = f64>> Run<'a, E> {
     /// Checks sizes and numbers; the first residual is the right-hand side.
     pub(crate) fn new(
-        matrix: &'a Csr<f64>,
-        rhs: &'a [f64],
+        matrix: &'a Csr<E>,
+        rhs: &'a [E::Nodal],
         setup_seconds: f64,
         options: &'a SolveOptions<'a>,
     ) -> Result<Self, Error> {
         let start = Instant::now();
         check_size("columns of the matrix", matrix.columns(), matrix.rows())?;
         check_size("entries of the right-hand side", rhs.len(), matrix.rows())?;
-        check_finite("matrix", matrix.values())?;
-        check_finite("right-hand side", rhs)?;
+        check_finite("matrix", E::flat(matrix.values()))?;
+        check_finite("right-hand side", Nodal::flat(rhs))?;
         if options.tolerance < 0.0 || options.tolerance.is_nan() {
             return Err(Error::Option { option: "tolerance", expected: "0 or more" });
         }
@@ -86,19 +87,19 @@ impl<'a> Run<'a> {
     }
 
     /// The solution with its report.
-    pub(crate) fn finish(self, x: Vec<f64>) -> (Vec<f64>, SolveReport) {
+    pub(crate) fn finish(self, x: Vec<E::Nodal>) -> (Vec<E::Nodal>, SolveReport) {
         let report = self.report(&x);
         (x, report)
     }
 
     /// What is left when the goal was not reached.
-    pub(crate) fn unfinished(self, x: Vec<f64>) -> Box<Unfinished> {
+    pub(crate) fn unfinished(self, x: Vec<E::Nodal>) -> Box<Unfinished> {
         let report = self.report(&x);
-        Box::new(Unfinished { report, iterate: x })
+        Box::new(Unfinished { report, iterate: Nodal::flat(&x).to_vec() })
     }
 
-    fn report(self, x: &[f64]) -> SolveReport {
-        let mut r = vec![0.0; x.len()];
+    fn report(self, x: &[E::Nodal]) -> SolveReport {
+        let mut r = vec![E::Nodal::default(); x.len()];
         residual(self.matrix, x, self.rhs, &mut r);
         let scale = if self.rhs_norm == 0.0 { 1.0 } else { self.rhs_norm };
         SolveReport {

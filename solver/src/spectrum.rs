@@ -2,6 +2,7 @@
 
 use crate::chunks::{for_chunks, map_chunks, map_ranges};
 use crate::csr::Csr;
+use crate::entry::{Entry, Nodal};
 use crate::kernels::product_dot;
 use crate::random::noise;
 
@@ -9,18 +10,26 @@ use crate::random::noise;
 /// which the smoother's safety factor covers.
 const STEPS: usize = 10;
 
-/// An estimate from below of the largest eigenvalue of D⁻¹A for symmetric A,
-/// never above the bound max Σ |a_ij| / a_ii; by ten Lanczos steps in the
-/// scalar product of D, from a fixed start vector.
-pub(crate) fn largest_eigenvalue(matrix: &Csr<f64>, diagonal: &[f64]) -> f64 {
+/// An estimate from below of the largest eigenvalue of D⁻¹A for symmetric A and
+/// D its diagonal (blocks), never above a bound from the rows; by ten Lanczos
+/// steps in the scalar product of D, from a fixed start vector.
+pub(crate) fn largest_eigenvalue<E: Entry<Real = f64>>(
+    matrix: &Csr<E>,
+    diagonal: &[E],
+    inverse_diagonal: &[E],
+) -> f64 {
     let n = matrix.rows();
-    let [mut previous, mut next] = [vec![0.0; n], vec![0.0; n]];
-    let mut current = noise(n, 1);
-    let sums = map_chunks(&mut current, |first, chunk| weighted_square(chunk, &diagonal[first..]));
+    let zero = E::Nodal::default();
+    let [mut previous, mut current, mut next] = std::array::from_fn(|_| vec![zero; n]);
+    E::Nodal::flat_mut(&mut current).copy_from_slice(&noise(n * E::Nodal::SIZE, 1));
+    let weighted = |first: usize, chunk: &[E::Nodal]| weighted_square(chunk, &diagonal[first..]);
+    let sums = map_chunks(&mut current, |first, chunk| weighted(first, chunk));
     let mut size = sums.iter().sum::<f64>().sqrt();
     let (mut alphas, mut betas) = (Vec::new(), Vec::new());
-    for step in 0..STEPS.min(n) {
-        for_chunks(&mut current, |_, chunk| chunk.iter_mut().for_each(|v| *v /= size));
+    for step in 0..STEPS.min(n * E::Nodal::SIZE) {
+        for_chunks(&mut current, |_, chunk| {
+            chunk.iter_mut().for_each(|v| *v = v.scaled(1.0 / size));
+        });
         let alpha = product_dot(matrix, &current, &mut next);
         if step > 0 {
             betas.push(size);
@@ -29,9 +38,10 @@ pub(crate) fn largest_eigenvalue(matrix: &Csr<f64>, diagonal: &[f64]) -> f64 {
         let sums = map_chunks(&mut next, |first, chunk| {
             for (k, v) in chunk.iter_mut().enumerate() {
                 let i = first + k;
-                *v = *v / diagonal[i] - alpha * current[i] - size * previous[i];
+                let scaled = inverse_diagonal[i].add_product(*v, zero);
+                *v = scaled.add_scaled(-alpha, current[i]).add_scaled(-size, previous[i]);
             }
-            weighted_square(chunk, &diagonal[first..])
+            weighted(first, chunk)
         });
         size = sums.iter().sum::<f64>().sqrt();
         // Nothing new is left: the space is invariant, the estimate exact.
@@ -41,18 +51,24 @@ pub(crate) fn largest_eigenvalue(matrix: &Csr<f64>, diagonal: &[f64]) -> f64 {
         std::mem::swap(&mut previous, &mut current);
         std::mem::swap(&mut current, &mut next);
     }
-    let bound = row_bound(matrix, diagonal);
+    let bound = row_bound(matrix, inverse_diagonal);
     largest_of_tridiagonal(&alphas, &betas, bound).min(bound)
 }
 
-/// Σ d_i v_i².
-fn weighted_square(v: &[f64], d: &[f64]) -> f64 {
-    v.iter().zip(d).map(|(v, d)| d * v * v).sum()
+/// Σ v_i · D_i v_i.
+fn weighted_square<E: Entry<Real = f64>>(v: &[E::Nodal], d: &[E]) -> f64 {
+    let square = |(v, d): (&E::Nodal, &E)| {
+        let image = d.add_product(*v, E::Nodal::default());
+        (0..E::Nodal::SIZE).map(|k| v.at(k) * image.at(k)).sum::<f64>()
+    };
+    v.iter().zip(d).map(square).sum()
 }
 
-/// max Σ_j |a_ij| / a_ii, which no eigenvalue of D⁻¹A exceeds.
-fn row_bound(matrix: &Csr<f64>, diagonal: &[f64]) -> f64 {
-    let row = |i: usize| matrix.row(i).1.iter().map(|v| v.abs()).sum::<f64>() / diagonal[i];
+/// max Σ_j ‖D_i⁻¹ A_ij‖ in the maximum norm, which no eigenvalue of D⁻¹A exceeds.
+fn row_bound<E: Entry<Real = f64>>(matrix: &Csr<E>, inverse_diagonal: &[E]) -> f64 {
+    let row = |i: usize| {
+        matrix.row(i).1.iter().map(|v| inverse_diagonal[i].times(*v).norm()).sum::<f64>()
+    };
     map_ranges(matrix.rows(), |rows| rows.map(row).fold(0.0, f64::max))
         .into_iter()
         .fold(0.0, f64::max)
@@ -88,10 +104,10 @@ mod tests {
         for n in [1usize, 2, 5, 10] {
             let a = crate::toy::second_difference(n);
             let exact = 1.0 + (std::f64::consts::PI / (n as f64 + 1.0)).cos();
-            assert!((largest_eigenvalue(&a, &vec![2.0; n]) - exact).abs() < 1e-9);
+            assert!((largest_eigenvalue(&a, &vec![2.0; n], &vec![0.5; n]) - exact).abs() < 1e-9);
         }
         let a = crate::toy::second_difference(4000);
-        let estimate = largest_eigenvalue(&a, &vec![2.0; 4000]);
+        let estimate = largest_eigenvalue(&a, &vec![2.0; 4000], &vec![0.5; 4000]);
         assert!(estimate > 1.9 && estimate <= 2.0, "{estimate}");
     }
 }

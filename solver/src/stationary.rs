@@ -3,6 +3,7 @@
 
 use crate::csr::Csr;
 use crate::dot::norm;
+use crate::entry::{Entry, Nodal};
 use crate::error::{Error, check_size};
 use crate::kernels::{product_dot, residual};
 use crate::preconditioner::Preconditioner;
@@ -16,21 +17,21 @@ use crate::run::{Run, SolveOptions};
 /// [`Error::NotConverged`] and [`Error::Stopped`] carry history and last
 /// iterate; [`Error::NotFinite`], [`Error::Size`] and [`Error::Option`] come
 /// before the first iteration.
-pub fn stationary_iteration(
-    matrix: &Csr<f64>,
-    rhs: &[f64],
-    preconditioner: &mut impl Preconditioner,
+pub fn stationary_iteration<E: Entry<Real = f64>>(
+    matrix: &Csr<E>,
+    rhs: &[E::Nodal],
+    preconditioner: &mut impl Preconditioner<E::Nodal>,
     options: &SolveOptions<'_>,
-) -> Result<(Vec<f64>, SolveReport), Error> {
+) -> Result<(Vec<E::Nodal>, SolveReport), Error> {
     let mut run = Run::new(matrix, rhs, preconditioner.setup_seconds(), options)?;
-    let mut x = vec![0.0; rhs.len()];
+    let mut x = vec![E::Nodal::default(); rhs.len()];
     if run.is_trivial() {
         return Ok(run.finish(x));
     }
-    let (mut r, mut z) = (rhs.to_vec(), vec![0.0; rhs.len()]);
+    let (mut r, mut z) = (rhs.to_vec(), vec![E::Nodal::default(); rhs.len()]);
     while run.may_go_on() {
         preconditioner.apply(&r, &mut z);
-        x.iter_mut().zip(&z).for_each(|(x, z)| *x += z);
+        x.iter_mut().zip(&z).for_each(|(x, z)| *x = x.plus(*z));
         residual(matrix, &x, rhs, &mut r);
         let residual_norm = norm(&r);
         let wish = run.record(residual_norm);
@@ -53,23 +54,25 @@ pub fn stationary_iteration(
 ///
 /// # Errors
 /// [`Error::Size`] if the matrix is not square.
-pub fn mean_reduction(
-    matrix: &Csr<f64>,
-    preconditioner: &mut impl Preconditioner,
+pub fn mean_reduction<E: Entry<Real = f64>>(
+    matrix: &Csr<E>,
+    preconditioner: &mut impl Preconditioner<E::Nodal>,
     cycles: usize,
 ) -> Result<f64, Error> {
     check_size("columns of the matrix", matrix.columns(), matrix.rows())?;
     const MEASURED: usize = 8;
-    let mut error = noise(matrix.rows(), 3);
-    let mut image = vec![0.0; matrix.rows()];
-    let mut correction = vec![0.0; matrix.rows()];
-    let energy = |error: &[f64], image: &mut [f64]| product_dot(matrix, error, image).sqrt();
+    let [mut error, mut image, mut correction] =
+        std::array::from_fn(|_| vec![E::Nodal::default(); matrix.rows()]);
+    let start = noise(matrix.rows() * E::Nodal::SIZE, 3);
+    E::Nodal::flat_mut(&mut error).copy_from_slice(&start);
+    let energy =
+        |error: &[E::Nodal], image: &mut [E::Nodal]| product_dot(matrix, error, image).sqrt();
     let mut logarithms = Vec::with_capacity(cycles);
     let mut before = energy(&error, &mut image);
     for _ in 0..cycles {
         preconditioner.apply(&image, &mut correction);
         // Scaled to energy 1, so that no number of cycles underflows.
-        error.iter_mut().zip(&correction).for_each(|(e, c)| *e = (*e - c) / before);
+        error.iter_mut().zip(&correction).for_each(|(e, c)| *e = e.minus(*c).scaled(1.0 / before));
         let after = energy(&error, &mut image);
         logarithms.push(after.ln());
         before = after;

@@ -1,14 +1,15 @@
 //! The multigrid's table of itself.
 
+use crate::entry::Entry;
 use crate::multigrid::Multigrid;
 use std::fmt;
 
 /// What one level holds.
 #[derive(Debug, Clone, PartialEq)]
 pub struct LevelSummary {
-    /// Rows of its matrix.
+    /// Rows of its matrix, three a block.
     pub unknowns: usize,
-    /// Stored entries of its matrix.
+    /// Stored numbers of its matrix, nine a block.
     pub nonzeros: usize,
     /// Memory of matrices, factors and work vectors.
     pub bytes: usize,
@@ -25,7 +26,7 @@ impl LevelSummary {
     }
 }
 
-impl fmt::Display for Multigrid {
+impl<E: Entry> fmt::Display for Multigrid<E> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         writeln!(
             f,
@@ -54,7 +55,7 @@ impl fmt::Display for Multigrid {
     }
 }
 
-impl fmt::Debug for Multigrid {
+impl<E: Entry> fmt::Debug for Multigrid<E> {
     /// The table: levels hold too many numbers to print.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         fmt::Display::fmt(self, f)

@@ -12,9 +12,11 @@ mod error;
 mod expect;
 mod explain;
 mod labels;
+mod material;
 mod nearest;
 mod override_;
 mod parse;
+mod per_region;
 mod source;
 mod value;
 
@@ -23,9 +25,11 @@ use std::path::{Path, PathBuf};
 pub use choice::{Choice, Named, SchemeName};
 pub use error::{ConfigError, Place};
 pub use expect::{Bounds, Expectation, Outcome, compare};
+pub use material::Material;
 pub use nearest::suggestion;
+pub use per_region::PerRegion;
 pub use source::Source;
-pub use value::{Degrees, Fraction, PerRegion, Positive, Value};
+pub use value::{Degrees, Fraction, Positive, Value, ValueOrVector, VectorValue};
 
 use crate::stages::Stage;
 

@@ -1,7 +1,10 @@
 //! The steps of a run: one file each, with its options, what it does and what
 //! it reports.
 
+mod body;
 mod check;
+mod elasticity;
+mod fixed;
 mod groups;
 mod import;
 mod multigrid;
@@ -11,15 +14,18 @@ mod subdivide;
 mod subdivide_report;
 mod write;
 
+use std::ops::Range;
 use std::path::Path;
 
 use serde::{Deserialize, Serialize};
 use toml::Spanned;
 
+pub use body::{BodyFigures, Force, ForceFigures, SurfaceForce};
 pub use check::{Check, CheckReport};
+pub use fixed::Fixed;
 pub use import::{Import, ImportReport};
 pub use multigrid::SolveFigures;
-pub use solve::{OnSurface, Problem, Solve, SolveReport};
+pub use solve::{OnSurface, Problem, Robin, Solve, SolveReport, Springs, VectorOnSurface};
 pub use subdivide::Subdivide;
 pub use subdivide_report::{GuardFigures, LevelReport, MarkingFigures, Strata, SubdivideReport};
 pub use write::{Write, WriteReport};
@@ -128,12 +134,24 @@ impl Stage {
         }
     }
 
-    /// What in the options does not go together, if anything.
-    pub fn contradiction(&self) -> Option<String> {
+    /// What in the options does not go together, if anything, with its place if
+    /// that is not the whole stage.
+    pub fn contradiction(&self) -> Option<(Option<Range<usize>>, String)> {
         match self {
-            Self::Subdivide(options) => options.contradiction(),
+            Self::Subdivide(options) => options.contradiction().map(|message| (None, message)),
+            Self::Solve(options) => options.contradiction(),
             _ => None,
         }
+    }
+
+    /// Why a stage of this kind does not know `key`, if it would with other
+    /// options; `option` gives the text of an option.
+    pub fn misplaced<'a>(
+        kind: &str,
+        key: &str,
+        option: impl Fn(&str) -> Option<&'a str>,
+    ) -> Option<String> {
+        (kind == "solve").then(|| Problem::misplaced(key, option("problem"))).flatten()
     }
 
     /// Does it.

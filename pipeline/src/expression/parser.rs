@@ -233,7 +233,8 @@ fn unknown(token: Token, is_call: bool) -> Fault {
         let functions = FUNCTIONS.map(|(name, _)| name);
         format!("unknown function `{name}`{}", suggestion(name, &functions))
     } else {
-        format!("unknown name `{name}`{}", suggestion(name, &values()))
+        // So few short names that a guess would only mislead.
+        format!("unknown name `{name}` (valid: {})", values().join(", "))
     };
     Fault { at: token.at, message }
 }

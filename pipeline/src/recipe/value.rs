@@ -19,7 +19,7 @@ pub enum Value {
 
 /// Three of them: the components of a vector.
 #[derive(Debug, Clone, PartialEq, serde::Deserialize)]
-#[serde(from = "(Value, Value, Value)")]
+#[serde(try_from = "Vec<Value>")]
 pub struct VectorValue(pub [Value; 3]);
 
 /// One value or a vector.
@@ -77,9 +77,13 @@ impl TryFrom<f64> for Fraction {
     }
 }
 
-impl From<(Value, Value, Value)> for VectorValue {
-    fn from((x, y, z): (Value, Value, Value)) -> Self {
-        Self([x, y, z])
+impl TryFrom<Vec<Value>> for VectorValue {
+    type Error = String;
+
+    fn try_from(list: Vec<Value>) -> Result<Self, String> {
+        let found = list.len();
+        let three = list.try_into().map(Self);
+        three.map_err(|_| format!("expected a list of three, x, y and z, found {found}"))
     }
 }
 

@@ -175,7 +175,7 @@ fn wrong_elastic_configs_are_told_with_file_line_and_key() {
         (
             "{ surface = \"y0\", y = 0 }, ",
             "",
-            "stage `solve`, assembly: a connected part of the mesh with 665 vertices, among them \
+            "stage `solve`, assembly: a connected part of the mesh with 773 vertices, among them \
              vertex 0, can still move as a rigid body: translation along y; hold more of it",
         ),
         (

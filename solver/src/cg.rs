@@ -16,6 +16,10 @@ use crate::run::{Run, SolveOptions};
 /// enough the true one is computed; if that is not, the method restarts, as long
 /// as restarts still halve the true residual. Then rounding allows no more.
 ///
+/// With a preconditioner that is not symmetric, directions are made conjugate to
+/// the last one explicitly (the flexible form of Notay 2000), which keeps the
+/// residual before.
+///
 /// # Errors
 /// [`Error::NotPositiveDefinite`], [`Error::NotConverged`] and
 /// [`Error::Stopped`] carry history and last iterate; [`Error::NotFinite`],
@@ -35,6 +39,7 @@ pub fn conjugate_gradients<E: Entry<Real = f64>>(
     let [mut z, mut p, mut q] = std::array::from_fn(|_| vec![E::Nodal::default(); rhs.len()]);
     let mut previous_rz = f64::INFINITY; // p = z in the first iteration
     let mut last_true_norm = f64::INFINITY;
+    let mut last_r = if preconditioner.is_symmetric() { Vec::new() } else { r.clone() };
     while run.may_go_on() {
         preconditioner.apply(&r, &mut z);
         let rz = dot(&r, &z);
@@ -42,7 +47,13 @@ pub fn conjugate_gradients<E: Entry<Real = f64>>(
             let what = "preconditioner";
             return Err(Error::NotPositiveDefinite { what, at: run.unfinished(x) });
         }
-        let keep = rz / previous_rz;
+        let keep = if last_r.is_empty() {
+            rz / previous_rz
+        } else {
+            let fresh = rz - dot(&last_r, &z);
+            last_r.copy_from_slice(&r);
+            fresh / previous_rz
+        };
         follow(Nodal::flat(&z), keep, Nodal::flat_mut(&mut p));
         let pq = product_dot(matrix, &p, &mut q);
         if pq <= 0.0 || pq.is_nan() {

@@ -39,6 +39,18 @@ impl<E: Entry> Chebyshev<E> {
         }
     }
 
+    /// The single step d = D⁻¹ r: Jacobi's, for a diagonal that needs no damping.
+    pub(crate) fn plain(unknowns: usize) -> Self {
+        let zero = vec![E::Nodal::default(); unknowns];
+        let step = (E::Real::from_f64(0.0), E::Real::from_f64(1.0));
+        Self { steps: vec![step], direction: zero.clone(), next: zero }
+    }
+
+    /// Steps of a sweep.
+    pub(crate) fn degree(&self) -> usize {
+        self.steps.len()
+    }
+
     /// Improves `x` for A x = b. With `from_zero`, `x` counts as zero whatever
     /// it holds, and the first step needs no product.
     pub(crate) fn smooth(

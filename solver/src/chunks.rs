@@ -61,3 +61,16 @@ pub(crate) fn map_ranges<R: Send>(
         (0..count).into_par_iter().map(|c| work(range(c))).collect()
     }
 }
+
+/// As [`map_ranges`] where each of `0..n` is much work, with a workspace that
+/// chunks done by the same thread share.
+pub(crate) fn map_heavy_ranges<W, R: Send>(
+    n: usize,
+    workspace: impl Fn() -> W + Sync + Send,
+    work: impl Fn(&mut W, std::ops::Range<usize>) -> R + Sync + Send,
+) -> Vec<R> {
+    let len = (n / 64).clamp(64, 4_096);
+    let range = |c: usize| c * len..((c + 1) * len).min(n);
+    let chunks = (0..n.div_ceil(len)).into_par_iter();
+    chunks.map_init(workspace, |workspace, c| work(workspace, range(c))).collect()
+}

@@ -1,17 +1,20 @@
-//! The V-cycle, in one precision.
+//! The multigrid cycle, in one precision.
 
 use crate::chunks::for_chunks;
 use crate::coarse::CoarseSolver;
+use crate::csr::Csr;
 use crate::dot::largest;
 use crate::entry::{Entry, Nodal};
 use crate::level::Level;
+use crate::options::CycleShape;
 use crate::real::Real;
 
 /// All smoothed levels of a scaled matrix, finest first, and the direct solver
 /// below them.
-pub(crate) struct VCycle<E: Entry> {
+pub(crate) struct Cycle<E: Entry> {
     pub(crate) levels: Vec<Level<E>>,
     pub(crate) coarsest: Coarsest,
+    shape: CycleShape,
     /// All matrices are this times those of the problem.
     matrix_scale: f64,
     rhs: Vec<E::Nodal>,
@@ -25,20 +28,58 @@ pub(crate) struct Coarsest {
     x: Vec<f64>,
 }
 
-impl<E: Entry> VCycle<E> {
+impl<E: Entry> Cycle<E> {
     pub(crate) fn new(
         unknowns: usize,
         levels: Vec<Level<E>>,
         coarsest: Coarsest,
+        shape: CycleShape,
         matrix_scale: f64,
     ) -> Self {
         let zero = vec![E::Nodal::default(); unknowns];
-        Self { levels, coarsest, matrix_scale, rhs: zero.clone(), x: zero }
+        Self { levels, coarsest, shape, matrix_scale, rhs: zero.clone(), x: zero }
     }
 
-    /// z = one cycle for A z = r, from zero. The residual is scaled to largest
-    /// entry 1, so that single precision neither over- nor underflows.
+    /// z = one cycle for A z = r, from zero.
     pub(crate) fn apply(&mut self, r: &[f64], z: &mut [f64]) {
+        self.scaled(r, z, |cycle| {
+            descend(
+                cycle.shape,
+                &mut cycle.levels,
+                &mut cycle.coarsest,
+                (&cycle.rhs, &mut cycle.x),
+                true,
+            );
+        });
+    }
+
+    /// z = full multigrid for A z = r: the coarsest level solved, then on each finer
+    /// one its solution, brought there by a matrix of `transfers` (finest first) or
+    /// by the prolongation, improved by `cycles` cycles.
+    pub(crate) fn full(&mut self, r: &[f64], transfers: &[Csr<f64>], cycles: usize, z: &mut [f64]) {
+        self.scaled(r, z, |cycle| {
+            let mut sides = vec![cycle.rhs.clone()];
+            for level in &cycle.levels {
+                sides.push(level.restrict(&sides[sides.len() - 1]));
+            }
+            let coarsest = sides.len() - 1;
+            let mut x = vec![E::Nodal::default(); sides[coarsest].len()];
+            cycle.coarsest.solve(Nodal::flat(&sides[coarsest]), Nodal::flat_mut(&mut x));
+            for k in (0..coarsest).rev() {
+                x = cycle.levels[k].transfer(transfers.get(k), &x);
+                for _ in 0..cycles {
+                    let levels = &mut cycle.levels[k..];
+                    descend(cycle.shape, levels, &mut cycle.coarsest, (&sides[k], &mut x), false);
+                }
+            }
+            cycle.x = x;
+        });
+    }
+
+    /// Lets `solve` turn the right-hand side into x, both in the cycle's precision.
+    /// The residual is scaled to largest entry 1, so that single precision neither
+    /// over- nor underflows.
+    fn scaled(&mut self, r: &[f64], z: &mut [f64], solve: impl FnOnce(&mut Self)) {
         let scale = largest(r);
         if scale == 0.0 {
             return z.fill(0.0);
@@ -48,7 +89,7 @@ impl<E: Entry> VCycle<E> {
                 *rhs = E::Real::from_f64(r / scale);
             }
         });
-        v_cycle(&mut self.levels, &mut self.coarsest, &self.rhs, &mut self.x);
+        solve(self);
         let back = scale * self.matrix_scale;
         let x = E::Nodal::flat(&self.x);
         for_chunks(z, |first, chunk| {
@@ -59,18 +100,25 @@ impl<E: Entry> VCycle<E> {
     }
 }
 
-fn v_cycle<E: Entry>(
+/// One cycle for A x = b, from zero (whatever `x` holds) or from `x`.
+fn descend<E: Entry>(
+    shape: CycleShape,
     levels: &mut [Level<E>],
     coarsest: &mut Coarsest,
-    b: &[E::Nodal],
-    x: &mut Vec<E::Nodal>,
+    (b, x): (&[E::Nodal], &mut Vec<E::Nodal>),
+    from_zero: bool,
 ) {
     let Some((level, coarser)) = levels.split_first_mut() else {
         return coarsest.solve(Nodal::flat(b), Nodal::flat_mut(x));
     };
-    level.smooth_before(b, x);
+    level.smooth_before(b, x, from_zero);
     level.restrict_residual(b, x);
-    v_cycle(coarser, coarsest, &level.coarse_rhs, &mut level.coarse_x);
+    let coarse = (&*level.coarse_rhs, &mut level.coarse_x);
+    descend(shape, coarser, coarsest, (coarse.0, coarse.1), true);
+    // The direct solver has nothing to add the second time.
+    if shape == CycleShape::W && !coarser.is_empty() {
+        descend(shape, coarser, coarsest, (coarse.0, coarse.1), false);
+    }
     level.correct(x);
     level.smooth_after(b, x);
 }

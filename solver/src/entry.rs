@@ -72,6 +72,11 @@ pub trait Entry: Acts<Self::Nodal> {
     /// The matrix product.
     fn times(self, other: Self) -> Self;
 
+    /// factor · self.
+    #[inline]
+    fn scaled(self, factor: Self::Real) -> Self {
+        Self::default().add_scaled(factor, self)
+    }
     /// The unit matrix.
     fn identity() -> Self {
         Self::from_fn(|i, j| if i == j { 1.0 } else { 0.0 })

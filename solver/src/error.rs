@@ -165,6 +165,14 @@ pub enum Error {
         /// that is not positive.
         value: f64,
     },
+    /// A projector of a constrained row is none, or not in its place.
+    #[error("level {level}, row {row}: expected symmetric projectors (Q Q = Q) at ascending rows")]
+    Projector {
+        /// 0 is the finest.
+        level: usize,
+        /// The first row at fault.
+        row: u32,
+    },
     /// The coarsest level is too large for a direct solver.
     #[error(
         "the coarsest level has {unknowns} unknowns, a direct solver should get at most {limit}; \

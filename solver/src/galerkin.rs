@@ -1,130 +1,83 @@
-//! Sparse products, and the coarse operator Pᵀ A P made of two of them.
+//! The coarse operator Pᵀ A P in one pass over coarse rows, nothing stored between.
 //!
-//! Row-wise after Gustavson (1978): row i of A B is the sum of the rows of B
-//! that row i of A names, gathered in a dense accumulator. One pass: each chunk
-//! of rows has an accumulator of its own and writes its entries behind each
-//! other; the chunks are joined in order. Least traffic: every entry of A once,
-//! a row of B for each entry of A, the result once (12 bytes an entry).
+//! Coarse row I first sums the rows of A that column I of P names, then sends each
+//! of these sums through its row of P. Only the upper triangle is computed; the
+//! lower one is its copy, so the result is symmetric to the last bit. P is a matrix
+//! of numbers whatever A holds. Each row of A is read as often as its row of P has
+//! entries, most often from a cache; the result is written twice.
 
-use crate::chunks::map_ranges;
+use crate::accumulator::Accumulator;
+use crate::chunks::map_heavy_ranges;
 use crate::csr::Csr;
 use crate::entry::Entry;
+use crate::projectors::Projectors;
+use crate::symmetric::{UpperRows, from_upper};
 
-/// A B, with every entry that the patterns can produce, zeros included.
+/// Pᵀ A P for a symmetric A (of blocks: A with rows and columns, and each block,
+/// exchanged is A again), given P and its transpose.
 ///
 /// # Panics
-/// If the inner dimensions differ.
-pub fn multiply(a: &Csr<f64>, b: &Csr<f64>) -> Csr<f64> {
-    multiply_by(a, b, |a, b, sum| sum + a * b)
-}
-
-/// Pᵀ A P for a symmetric A, a number of P times an entry of A. The lower triangle
-/// is a copy of the upper one, so that the result is symmetric to the last bit.
+/// If the sizes do not fit.
 pub fn galerkin<E: Entry<Real = f64>>(a: &Csr<E>, p: &Csr<f64>, p_transposed: &Csr<f64>) -> Csr<E> {
-    let a_p = multiply_by(a, p, |a, p, sum: E| sum.add_scaled(p, a));
-    mirror_upper(&multiply_by(p_transposed, &a_p, |p, a, sum: E| sum.add_scaled(p, a)))
+    constrained_galerkin((a, &Projectors::none()), (p, p_transposed), &Projectors::none())
 }
 
-/// A B where `add(a, b, sum)` is sum + a b.
-fn multiply_by<A: Copy + Sync, B: Copy + Sync, C: Entry>(
-    a: &Csr<A>,
-    b: &Csr<B>,
-    add: impl Fn(A, B, C) -> C + Sync,
-) -> Csr<C> {
-    assert_eq!(a.columns(), b.rows(), "columns of the left, rows of the right factor");
-    let chunks = map_ranges(a.rows(), |rows| {
-        let mut gathered = Gathered::new(b.columns());
-        let mut ends = Vec::with_capacity(rows.len());
+/// The coarse operator between the free directions on both levels. With the
+/// projectors F of the fine and C of the coarse level, and A = F B F + s (I − F):
+/// C Pᵀ F B F P C + t (I − C), where t for each vertex is of the size of its
+/// diagonal block.
+pub(crate) fn constrained_galerkin<E: Entry<Real = f64>>(
+    (a, fine): (&Csr<E>, &Projectors<E>),
+    (p, p_transposed): (&Csr<f64>, &Csr<f64>),
+    coarse: &Projectors<E>,
+) -> Csr<E> {
+    assert_eq!(a.columns(), p.rows(), "rows of the prolongation, columns of the matrix");
+    assert_eq!(p_transposed.rows(), p.columns(), "the second is the transpose of the first");
+    let workspace = || (Accumulator::<E>::new(a.columns()), Accumulator::<E>::new(p.columns()));
+    let chunks = map_heavy_ranges(p.columns(), workspace, |(sums, row), rows| {
+        let mut upper = UpperRows::default();
         for i in rows {
-            let (indices, values) = a.row(i);
-            for (&k, &weight) in indices.iter().zip(values) {
-                let (columns, row) = b.row(k as usize);
-                for (&j, &v) in columns.iter().zip(row) {
-                    let sum = gathered.at(j);
-                    *sum = add(weight, v, *sum);
+            sums.clear();
+            add_rows((a, fine), p_transposed.row(i), sums);
+            row.clear();
+            for &fine_column in &sums.touched {
+                let sum = sums.sum(fine_column);
+                let (columns, weights) = p.row(fine_column as usize);
+                let first = columns.partition_point(|&j| (j as usize) < i);
+                for (&j, &weight) in columns[first..].iter().zip(&weights[first..]) {
+                    let entry = row.at(j);
+                    *entry = entry.add_scaled(weight, sum);
                 }
             }
-            gathered.end_row();
-            ends.push(gathered.indices.len());
+            row.touched.sort_unstable();
+            let value = |&j: &u32| coarse.between((i, j as usize), row.sum(j));
+            upper.push(&row.touched, row.touched.iter().map(value));
         }
-        (ends, gathered.indices, gathered.values)
+        upper
     });
-    join(b.columns(), a.rows(), &chunks)
+    from_upper(p.columns(), &chunks)
 }
 
-/// One row at a time as a dense accumulator, finished rows behind each other.
-struct Gathered<E> {
-    sums: Vec<E>,
-    /// For each column the number of the last row that touched it.
-    touched_by: Vec<u32>,
-    row: u32,
-    row_start: usize,
-    indices: Vec<u32>,
-    values: Vec<E>,
-}
-
-impl<E: Entry> Gathered<E> {
-    fn new(columns: usize) -> Self {
-        Self {
-            sums: vec![E::default(); columns],
-            touched_by: vec![u32::MAX; columns],
-            row: 0,
-            row_start: 0,
-            indices: Vec::new(),
-            values: Vec::new(),
+/// sums += Σ w · (row of A), over the rows and weights w given, A without what it
+/// holds in constrained directions.
+fn add_rows<E: Entry<Real = f64>>(
+    (a, fine): (&Csr<E>, &Projectors<E>),
+    (rows, weights): (&[u32], &[f64]),
+    sums: &mut Accumulator<E>,
+) {
+    for (&k, &weight) in rows.iter().zip(weights) {
+        let (columns, values) = a.row(k as usize);
+        let projector = fine.get(k as usize);
+        for (&j, &value) in columns.iter().zip(values) {
+            // Off the diagonal a constrained matrix has free directions only.
+            let value = match projector {
+                Some(projector) if j == k => projector.times(value).times(*projector),
+                _ => value,
+            };
+            let sum = sums.at(j);
+            *sum = sum.add_scaled(weight, value);
         }
     }
-
-    #[inline]
-    fn at(&mut self, column: u32) -> &mut E {
-        let j = column as usize;
-        if self.touched_by[j] != self.row {
-            self.touched_by[j] = self.row;
-            self.sums[j] = E::default();
-            self.indices.push(column);
-        }
-        &mut self.sums[j]
-    }
-
-    fn end_row(&mut self) {
-        let row = &mut self.indices[self.row_start..];
-        row.sort_unstable();
-        self.values.extend(row.iter().map(|&j| self.sums[j as usize]));
-        self.row_start = self.indices.len();
-        self.row += 1;
-    }
-}
-
-type Chunk<E> = (Vec<usize>, Vec<u32>, Vec<E>);
-
-fn join<E: Entry>(columns: usize, rows: usize, chunks: &[Chunk<E>]) -> Csr<E> {
-    let mut offsets = Vec::with_capacity(rows + 1);
-    offsets.push(0);
-    for (ends, ..) in chunks {
-        let base = offsets[offsets.len() - 1];
-        offsets.extend(ends.iter().map(|end| base + end));
-    }
-    let indices: Vec<&[u32]> = chunks.iter().map(|(_, indices, _)| &**indices).collect();
-    let values: Vec<&[E]> = chunks.iter().map(|(.., values)| &**values).collect();
-    Csr::trusted(columns, offsets, indices.concat(), values.concat())
-}
-
-/// The matrix with entry (i, j) replaced by the transpose of entry (j, i) wherever j < i; the
-/// pattern must be symmetric.
-fn mirror_upper<E: Entry>(matrix: &Csr<E>) -> Csr<E> {
-    let chunks = map_ranges(matrix.rows(), |rows| {
-        let entries = matrix.offset(rows.start)..matrix.offset(rows.end);
-        let mut values = Vec::with_capacity(entries.len());
-        for i in rows {
-            let (indices, row) = matrix.row(i);
-            for (&j, &v) in indices.iter().zip(row) {
-                let j = j as usize;
-                values.push(if j < i { matrix.get(j, i).map_or(v, E::transposed) } else { v });
-            }
-        }
-        values
-    });
-    matrix.with_values(chunks.concat())
 }
 
 #[cfg(test)]
@@ -143,11 +96,84 @@ mod tests {
         }
     }
 
+    type Block = [[f64; 3]; 3];
+
+    /// A square matrix of numbers, dense.
+    fn dense(rows: usize, columns: usize, at: impl Fn(usize, usize) -> f64) -> Vec<Vec<f64>> {
+        (0..rows).map(|i| (0..columns).map(|j| at(i, j)).collect()).collect()
+    }
+
+    fn times(a: &[Vec<f64>], b: &[Vec<f64>]) -> Vec<Vec<f64>> {
+        let sum = |i: usize, j: usize| (0..b.len()).map(|k| a[i][k] * b[k][j]).sum::<f64>();
+        dense(a.len(), b[0].len(), sum)
+    }
+
+    /// The block-diagonal matrix of projectors.
+    fn expanded(n: usize, list: &[(u32, Block)]) -> Vec<Vec<f64>> {
+        dense(3 * n, 3 * n, |i, j| {
+            let block = list.iter().find(|(row, _)| *row as usize == i / 3);
+            match block {
+                _ if i / 3 != j / 3 => 0.0,
+                Some((_, q)) => q[i % 3][j % 3],
+                None => f64::from(u8::from(i == j)),
+            }
+        })
+    }
+
     #[test]
-    fn the_product_keeps_zeros_that_the_patterns_produce() {
-        let row = Csr::new(2, vec![0, 2], vec![0, 1], vec![1.0, -1.0]).unwrap();
-        let column = Csr::new(1, vec![0, 1, 2], vec![0, 0], vec![3.0, 3.0]).unwrap();
-        let product = multiply(&row, &column);
-        assert_eq!((product.nonzeros(), product.get(0, 0)), (1, Some(0.0)));
+    fn blocks_with_constrained_directions_agree_with_dense_products() {
+        let (coarse_n, fine_n) = (6, 13);
+        let slanted = [[0.5, -0.5, 0.0], [-0.5, 0.5, 0.0], [0.0, 0.0, 1.0]];
+        let axis = [[0.0; 3], [0.0, 1.0, 0.0], [0.0; 3]];
+        let (fine_list, coarse_list) =
+            (vec![(2, slanted), (7, axis)], vec![(0, axis), (3, slanted)]);
+        let fine = Projectors::new(0, fine_n, fine_list.clone()).unwrap();
+        let coarse = Projectors::new(1, coarse_n, coarse_list.clone()).unwrap();
+        // F B F + 5 (I − F), B tridiagonal in blocks.
+        let numbers = crate::noise(9 * fine_n, 8);
+        let b = |i: usize, j: usize| {
+            let (row, column) = (i.min(j), i.max(j));
+            let near = column / 3 - row / 3 <= 1;
+            if near { numbers[(31 * row + column) % (9 * fine_n)] } else { 0.0 }
+        };
+        let f = expanded(fine_n, &fine_list);
+        let free_part = times(&times(&f, &dense(3 * fine_n, 3 * fine_n, b)), &f);
+        let a = |i: usize, j: usize| {
+            let identity = f64::from(u8::from(i == j));
+            free_part[i][j] + 5.0 * (identity - f[i][j])
+        };
+        let pattern = second_difference(fine_n);
+        let block =
+            |i: usize, j: u32| -> Block { Entry::from_fn(|r, c| a(3 * i + r, 3 * j as usize + c)) };
+        let blocks: Vec<Block> = (0..fine_n)
+            .flat_map(|i| pattern.row(i).0.iter().map(move |&j| (i, j)))
+            .map(|(i, j)| block(i, j))
+            .collect();
+        let matrix = pattern.with_values(blocks);
+
+        let p = interpolation(coarse_n);
+        let result = constrained_galerkin((&matrix, &fine), (&p, &transpose(&p)), &coarse);
+        assert_eq!(transpose(&result), result, "symmetric to the last bit");
+        let weight = |i: usize, j: usize| {
+            if i % 3 == j % 3 { p.get(i / 3, j / 3).unwrap_or(0.0) } else { 0.0 }
+        };
+        let c = expanded(coarse_n, &coarse_list);
+        let prolong = times(&times(&f, &dense(3 * fine_n, 3 * coarse_n, weight)), &c);
+        let restrict = dense(3 * coarse_n, 3 * fine_n, |i, j| prolong[j][i]);
+        let expected = times(&times(&restrict, &free_part), &prolong);
+        for i in 0..3 * coarse_n {
+            for j in 0..3 * coarse_n {
+                // In the free directions; the others have only their own diagonal.
+                let mut value = result.get(i / 3, j / 3).map_or(0.0, |block| block[i % 3][j % 3]);
+                if i / 3 == j / 3 && coarse.get(i / 3).is_some() {
+                    let block = result.get(i / 3, i / 3).unwrap();
+                    let q = coarse.get(i / 3).unwrap();
+                    value = q.times(block).times(*q)[i % 3][j % 3];
+                }
+                assert!((value - expected[i][j]).abs() < 1e-14, "{i} {j}");
+            }
+        }
+        let fixed = result.get(0, 0).unwrap();
+        assert!(fixed[0][0] > 0.0 && fixed[0][0] == fixed[2][2] && fixed[0][1] == 0.0);
     }
 }

@@ -1,5 +1,8 @@
-//! Gauss–Seidel sweeps: the serial reference smoother.
+//! Gauss–Seidel sweeps: row after row as the serial reference, or colour after
+//! colour.
 
+use crate::chunks::for_chunks;
+use crate::colouring::Colouring;
 use crate::csr::Csr;
 use crate::entry::{Entry, Nodal};
 use crate::kernels::row_product;
@@ -28,5 +31,30 @@ pub(crate) fn sweep<E: Entry>(
     match order {
         Order::Forward => (0..matrix.rows()).for_each(&mut relax),
         Order::Backward => (0..matrix.rows()).rev().for_each(&mut relax),
+    }
+}
+
+/// One sweep through the colours. New values of one colour are computed in parallel
+/// into `buffer`, then put in place.
+pub(crate) fn coloured_sweep<E: Entry>(
+    (matrix, inverse_diagonal): (&Csr<E>, &[E]),
+    (colouring, buffer): (&Colouring, &mut [E::Nodal]),
+    (b, x): (&[E::Nodal], &mut [E::Nodal]),
+    order: Order,
+) {
+    let mut relax = |rows: &[u32]| {
+        let new = &mut buffer[..rows.len()];
+        for_chunks(new, |first, chunk| {
+            for (new, &i) in chunk.iter_mut().zip(&rows[first..]) {
+                let i = i as usize;
+                let r = b[i].minus(row_product(matrix, i, x));
+                *new = inverse_diagonal[i].add_product(r, x[i]);
+            }
+        });
+        rows.iter().zip(new).for_each(|(&i, new)| x[i as usize] = *new);
+    };
+    match order {
+        Order::Forward => colouring.rows().for_each(&mut relax),
+        Order::Backward => colouring.rows().rev().for_each(&mut relax),
     }
 }

@@ -33,6 +33,7 @@
 //! # Ok::<(), octruss_solver::Error>(())
 //! ```
 
+mod accumulator;
 mod assemble;
 mod assemble_elasticity;
 mod blame;
@@ -42,6 +43,7 @@ mod cg;
 mod chebyshev;
 mod chunks;
 mod coarse;
+mod colouring;
 mod constraints;
 mod csr;
 mod cycle;
@@ -63,12 +65,14 @@ mod level;
 mod load;
 mod matrix3;
 mod multigrid;
+mod multiply;
 mod norms;
 mod options;
 mod pattern;
 mod poisson_load;
 mod preconditioner;
 mod problem;
+mod projectors;
 pub mod quadrature;
 mod random;
 mod real;
@@ -79,11 +83,13 @@ mod rows;
 mod run;
 mod scalar;
 mod scatter;
+mod smoothing;
 mod spectrum;
 mod stationary;
 mod stress;
 mod summary;
 mod surface;
+mod symmetric;
 #[cfg(test)]
 mod toy;
 mod transfer;
@@ -101,11 +107,12 @@ pub use elasticity::{Elasticity, Held, Material, Stiffness, Support, Vector, vec
 pub use entry::{Acts, Entry, Nodal};
 pub use error::Error;
 pub use forces::Forces;
-pub use galerkin::{galerkin, multiply};
+pub use galerkin::galerkin;
 pub use held_vertex::HeldVertex;
 pub use multigrid::Multigrid;
+pub use multiply::multiply;
 pub use norms::{h1_seminorm_error, l2_error};
-pub use options::{MultigridOptions, Precision, Smoother};
+pub use options::{CycleShape, DiagonalKind, MultigridOptions, Precision, Smoother};
 pub use preconditioner::{Identity, Preconditioner};
 pub use problem::{Poisson, Robin};
 pub use random::noise;

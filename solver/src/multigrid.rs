@@ -3,43 +3,44 @@
 use crate::blocks::expand_blocks;
 use crate::coarse::CoarseSolver;
 use crate::csr::Csr;
-use crate::cycle::{Coarsest, VCycle};
+use crate::cycle::{Coarsest, Cycle};
 use crate::diagonal::Diagonal;
 use crate::dot::largest;
 use crate::entry::{Entry, Nodal};
 use crate::error::{Error, check_finite, check_size};
-use crate::galerkin::galerkin;
+use crate::galerkin::constrained_galerkin;
 use crate::level::Level;
 use crate::options::{MultigridOptions, Precision};
 use crate::preconditioner::Preconditioner;
-use crate::spectrum::largest_eigenvalue;
+use crate::projectors::Projectors;
 use crate::summary::LevelSummary;
 use crate::transpose::transpose;
 use std::borrow::Cow;
 use std::time::Instant;
 
-/// Levels from a matrix and prolongations, and a V-cycle over them.
+/// Levels from a matrix and prolongations, and a cycle over them.
 ///
 /// Coarse matrices are Galerkin products Pᵀ A P; the coarsest level is solved
 /// directly. Prints itself as a table of its levels.
 pub struct Multigrid<E: Entry = f64> {
-    cycle: Cycle<E>,
+    cycle: AnyCycle<E>,
     summaries: Vec<LevelSummary>,
     options: MultigridOptions,
     setup_seconds: f64,
 }
 
-enum Cycle<E: Entry> {
-    Single(VCycle<E::Single>),
-    Double(VCycle<E>),
+enum AnyCycle<E: Entry> {
+    Single(Cycle<E::Single>),
+    Double(Cycle<E>),
 }
 
 impl<E: Entry<Real = f64>> Multigrid<E> {
     /// Builds all levels.
     ///
-    /// `matrix` is the finest, symmetric positive definite. `prolongations` come
-    /// **finest first**: the first leads from level 1 to the unknowns of
-    /// `matrix` (level 0). A level without unknowns ends the list.
+    /// `matrix` is the finest, symmetric positive definite, of numbers or 3 × 3
+    /// blocks. `prolongations` come **finest first**: the first leads from level 1
+    /// to the rows of `matrix` (level 0), a number an entry, which acts on all
+    /// components of a block alike. A level without rows ends the list.
     ///
     /// # Errors
     /// [`Error::Size`] if a prolongation does not fit the level above it,
@@ -51,22 +52,80 @@ impl<E: Entry<Real = f64>> Multigrid<E> {
         prolongations: Vec<Csr<f64>>,
         options: &MultigridOptions,
     ) -> Result<Self, Error> {
+        let unconstrained = vec![Vec::new(); prolongations.len() + 1];
+        Self::constrained(matrix, prolongations, unconstrained, options)
+    }
+
+    /// As [`Multigrid::new`], with rows that are constrained in some directions.
+    ///
+    /// `projectors` has a list for each level, finest first, the coarsest included:
+    /// (row, orthogonal projector Q onto its free directions), rows ascending. The
+    /// matrix must be Q A Q + s (I − Q) with s > 0 there, and right-hand sides
+    /// zero in the constrained directions. Corrections are prolonged by Q P Q.
+    ///
+    /// # Errors
+    /// As [`Multigrid::new`], and [`Error::Projector`].
+    pub fn constrained(
+        matrix: &Csr<E>,
+        prolongations: Vec<Csr<f64>>,
+        projectors: Vec<Vec<(u32, E)>>,
+        options: &MultigridOptions,
+    ) -> Result<Self, Error> {
         let start = Instant::now();
         options.check()?;
         check_size("columns of the matrix", matrix.columns(), matrix.rows())?;
+        check_size("lists of projectors", projectors.len(), prolongations.len() + 1)?;
         check_finite("matrix", E::flat(matrix.values()))?;
         let (cycle, summaries) = match options.precision {
             Precision::Single => {
-                let (cycle, summaries) = build(matrix, prolongations, options)?;
-                (Cycle::Single(cycle), summaries)
+                let (cycle, summaries) = build(matrix, prolongations, projectors, options)?;
+                (AnyCycle::Single(cycle), summaries)
             }
             Precision::Double => {
-                let (cycle, summaries) = build(matrix, prolongations, options)?;
-                (Cycle::Double(cycle), summaries)
+                let (cycle, summaries) = build(matrix, prolongations, projectors, options)?;
+                (AnyCycle::Double(cycle), summaries)
             }
         };
         let setup_seconds = start.elapsed().as_secs_f64();
         Ok(Self { cycle, summaries, options: *options, setup_seconds })
+    }
+
+    /// Full multigrid for A x = `rhs`: the coarsest level is solved; on each finer
+    /// one, `cycles` cycles improve the solution of the coarser.
+    ///
+    /// `transfers` bring solutions (not corrections) to the finer level, **finest
+    /// first**; where the list ends the prolongation does. Right-hand sides of
+    /// coarser levels are Pᵀ times the finer one. Prescribed values other than zero
+    /// must be lifted by a smooth function first: coarse levels cannot see how a
+    /// solution bends in the outermost layer of elements.
+    ///
+    /// One cycle a level reaches the accuracy of the discretisation where a cycle
+    /// reduces errors well; see `quadratic_transfer`.
+    ///
+    /// # Errors
+    /// [`Error::Size`] if `rhs` or a transfer does not fit; [`Error::NotFinite`].
+    pub fn full_multigrid(
+        &mut self,
+        rhs: &[E::Nodal],
+        transfers: &[Csr<f64>],
+        cycles: usize,
+    ) -> Result<Vec<E::Nodal>, Error> {
+        check_finite("right-hand side", Nodal::flat(rhs))?;
+        let rows = |level: &LevelSummary| level.unknowns / E::SIZE;
+        let rows: Vec<usize> = self.summaries.iter().map(rows).collect();
+        check_size("entries of the right-hand side", rhs.len(), rows[0])?;
+        let most = rows.len() - 1;
+        for (transfer, sizes) in transfers.iter().take(most).zip(rows.windows(2)) {
+            check_size("rows of a transfer", transfer.rows(), sizes[0])?;
+            check_size("columns of a transfer", transfer.columns(), sizes[1])?;
+        }
+        let mut x = vec![E::Nodal::default(); rhs.len()];
+        let (r, z) = (Nodal::flat(rhs), Nodal::flat_mut(&mut x));
+        match &mut self.cycle {
+            AnyCycle::Single(cycle) => cycle.full(r, transfers, cycles, z),
+            AnyCycle::Double(cycle) => cycle.full(r, transfers, cycles, z),
+        }
+        Ok(x)
     }
 }
 
@@ -99,15 +158,17 @@ impl<E: Entry> Multigrid<E> {
     /// The work of one cycle in products with the finest matrix: on each
     /// smoothed level the nonzeros times (smoothing products + 1 residual),
     /// and twice those of the prolongation. (The first Chebyshev step of a
-    /// cycle is counted although, from zero, it needs no product.)
+    /// cycle is counted although, from zero, it needs no product.) A W-cycle
+    /// visits level k 2ᵏ times.
     pub fn work_units(&self) -> f64 {
         let passes = self.options.smoothing_products() + 1;
         let smoothed = &self.summaries[..self.summaries.len() - 1];
-        let work = |level: &LevelSummary| {
-            passes * level.nonzeros + 2 * level.prolongation_nonzeros.unwrap_or(0)
+        let work = |(k, level): (usize, &LevelSummary)| {
+            let visit = passes * level.nonzeros + 2 * level.prolongation_nonzeros.unwrap_or(0);
+            self.options.visits(k) as f64 * visit as f64
         };
-        let sum: usize = smoothed.iter().map(work).sum();
-        sum as f64 / self.summaries[0].nonzeros.max(1) as f64
+        let sum: f64 = smoothed.iter().enumerate().map(work).sum();
+        sum / self.summaries[0].nonzeros.max(1) as f64
     }
 
     /// The choices it was built with.
@@ -120,13 +181,17 @@ impl<E: Entry<Real = f64>> Preconditioner<E::Nodal> for Multigrid<E> {
     fn apply(&mut self, r: &[E::Nodal], z: &mut [E::Nodal]) {
         let (r, z) = (Nodal::flat(r), Nodal::flat_mut(z));
         match &mut self.cycle {
-            Cycle::Single(cycle) => cycle.apply(r, z),
-            Cycle::Double(cycle) => cycle.apply(r, z),
+            AnyCycle::Single(cycle) => cycle.apply(r, z),
+            AnyCycle::Double(cycle) => cycle.apply(r, z),
         }
     }
 
     fn setup_seconds(&self) -> f64 {
         self.setup_seconds
+    }
+
+    fn is_symmetric(&self) -> bool {
+        self.options.is_symmetric()
     }
 }
 
@@ -134,43 +199,42 @@ impl<E: Entry<Real = f64>> Preconditioner<E::Nodal> for Multigrid<E> {
 fn build<E: Entry<Real = f64>, F: Entry>(
     matrix: &Csr<E>,
     prolongations: Vec<Csr<f64>>,
+    projectors: Vec<Vec<(u32, E)>>,
     options: &MultigridOptions,
-) -> Result<(VCycle<F>, Vec<LevelSummary>), Error> {
+) -> Result<(Cycle<F>, Vec<LevelSummary>), Error> {
+    let mut projectors = projectors.into_iter().enumerate();
+    let mut next_projectors = |rows: usize| {
+        let (level, list) = projectors.next().unwrap_or_default();
+        Projectors::new(level, rows, list)
+    };
     let mut diagonal = Diagonal::new(matrix, 0)?;
     let scale = scale_to_one(E::flat(&diagonal.entries));
     let (mut levels, mut summaries) = (Vec::new(), Vec::new());
     let mut current = Cow::Borrowed(matrix);
+    let mut constrained = next_projectors(matrix.rows())?;
     for prolongation in prolongations.into_iter().take_while(|p| p.columns() > 0) {
         check_size("rows of a prolongation", prolongation.rows(), current.rows())?;
         check_finite("prolongation", prolongation.values())?;
-        let eigenvalue = largest_eigenvalue(&current, &diagonal.entries, &diagonal.inverses);
+        let coarse_constrained = next_projectors(prolongation.columns())?;
         let restriction = transpose(&prolongation);
-        let coarse = galerkin(&current, &prolongation, &restriction);
         let transfer = (&prolongation, &restriction);
-        let scaled = (&*current, &*diagonal.inverses, scale);
-        let level = Level::<F>::new(scaled, eigenvalue, transfer, options);
+        let coarse = constrained_galerkin((&current, &constrained), transfer, &coarse_constrained);
+        let scaled = (&*current, diagonal, scale);
+        let level = Level::<F>::new(scaled, transfer, [&constrained, &coarse_constrained], options);
         summaries.push(LevelSummary {
-            unknowns: current.rows() * E::SIZE,
-            nonzeros: current.nonzeros() * E::SIZE * E::SIZE,
             bytes: level.bytes(),
             prolongation_nonzeros: Some(prolongation.nonzeros() * E::SIZE),
-            largest_eigenvalue: Some(eigenvalue),
+            largest_eigenvalue: level.smoothing.largest_eigenvalue,
+            ..LevelSummary::of(&*current)
         });
         levels.push(level);
-        current = Cow::Owned(coarse);
+        (current, constrained) = (Cow::Owned(coarse), coarse_constrained);
         diagonal = Diagonal::new(&current, levels.len())?;
     }
     let solver = CoarseSolver::new(expand_blocks(&current, scale))?;
-    let unknowns = current.rows() * E::SIZE;
-    summaries.push(LevelSummary {
-        unknowns,
-        nonzeros: current.nonzeros() * E::SIZE * E::SIZE,
-        bytes: solver.bytes(),
-        prolongation_nonzeros: None,
-        largest_eigenvalue: None,
-    });
-    let coarsest = Coarsest::new(solver, unknowns);
-    Ok((VCycle::new(matrix.rows(), levels, coarsest, scale), summaries))
+    summaries.push(LevelSummary { bytes: solver.bytes(), ..LevelSummary::of(&*current) });
+    let coarsest = Coarsest::new(solver, current.rows() * E::SIZE);
+    Ok((Cycle::new(matrix.rows(), levels, coarsest, options.shape, scale), summaries))
 }
 
 /// The power of two, so that nothing is rounded, that makes the largest entry of
@@ -218,8 +282,8 @@ mod tests {
     #[test]
     fn the_cycle_is_symmetric() {
         for smoother in [Smoother::GaussSeidel, MultigridOptions::default().smoother] {
-            let options =
-                MultigridOptions { smoother, before: 2, after: 2, precision: Precision::Double };
+            let double = MultigridOptions { precision: Precision::Double, ..Default::default() };
+            let options = MultigridOptions { smoother, before: 2, after: 2, ..double };
             let (matrix, mut multigrid) = interval(8, &options);
             let [u, v] = [4, 5].map(|seed| noise(matrix.rows(), seed));
             let [mut mu, mut mv] = [u.clone(), v.clone()];

@@ -1,4 +1,4 @@
-//! How the multigrid cycle smooths and in which precision.
+//! How the multigrid cycle smooths, in which shape and in which precision.
 
 use crate::error::Error;
 
@@ -15,8 +15,36 @@ pub enum Smoother {
         lower: f64,
     },
     /// A Gauss–Seidel sweep, forward before the coarse correction, backward
-    /// after it. Serial: a reference, not meant for speed.
+    /// after it; of a matrix of blocks, a block at a time. Serial: a reference,
+    /// not meant for speed.
     GaussSeidel,
+    /// A Gauss–Seidel sweep in the order of a greedy colouring: rows of one colour
+    /// are not coupled and done in parallel. Good where colours are few, as with
+    /// linear prolongation; costs a pass over x for each colour.
+    ColouredGaussSeidel,
+    /// x ← x + D⁻¹ (b − A x), D the diagonal plus the absolute values of the rest
+    /// of the row (Baker, Falgout, Kolev and Yang 2011): converges for every
+    /// positive definite matrix without any estimate, if slowly.
+    L1Jacobi,
+}
+
+/// Which diagonal a smoother of a matrix of blocks inverts; of a matrix of numbers
+/// both are the same. Gauss–Seidel always solves blocks.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum DiagonalKind {
+    /// Numbers on the diagonal.
+    Point,
+    /// 3 × 3 blocks.
+    Block,
+}
+
+/// How often a cycle visits the coarser levels.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum CycleShape {
+    /// Once.
+    V,
+    /// Twice from each level.
+    W,
 }
 
 /// The precision of matrices and vectors inside the cycle.
@@ -29,25 +57,33 @@ pub enum Precision {
     Double,
 }
 
-/// The choices of a V-cycle.
+/// The choices of a cycle. The defaults suit every problem that this crate
+/// assembles; nobody has to choose.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct MultigridOptions {
     /// What one sweep is.
     pub smoother: Smoother,
+    /// Which diagonal it inverts.
+    pub diagonal: DiagonalKind,
+    /// How often coarser levels are visited.
+    pub shape: CycleShape,
     /// Sweeps before the coarse correction (ν₁).
     pub before: usize,
-    /// Sweeps after it (ν₂). As a preconditioner of conjugate gradients the
-    /// cycle must be symmetric: as many as before.
+    /// Sweeps after it (ν₂). With as many as before, the cycle is symmetric; else
+    /// conjugate gradients run in their flexible form, which costs a vector more.
     pub after: usize,
     /// The precision inside the cycle; the coarsest level is always solved in double.
     pub precision: Precision,
 }
 
 impl Default for MultigridOptions {
-    /// V(1,1), Chebyshev of degree 3 on the upper nine tenths, single precision.
+    /// V(1,1), Chebyshev of degree 3 on the upper nine tenths with the diagonal's
+    /// blocks, single precision.
     fn default() -> Self {
         Self {
             smoother: Smoother::Chebyshev { degree: 3, lower: 0.1 },
+            diagonal: DiagonalKind::Block,
+            shape: CycleShape::V,
             before: 1,
             after: 1,
             precision: Precision::Single,
@@ -56,13 +92,27 @@ impl Default for MultigridOptions {
 }
 
 impl MultigridOptions {
-    /// Products with the matrix that smoothing takes in one cycle.
+    /// Products with the matrix that smoothing takes in one visit of a level.
     pub(crate) fn smoothing_products(&self) -> usize {
         let sweeps = self.before + self.after;
         match self.smoother {
             Smoother::Chebyshev { degree, .. } => degree * sweeps,
-            Smoother::GaussSeidel => sweeps,
+            Smoother::GaussSeidel | Smoother::ColouredGaussSeidel | Smoother::L1Jacobi => sweeps,
         }
+    }
+
+    /// How often a cycle visits level `level`.
+    pub(crate) fn visits(&self, level: usize) -> usize {
+        match self.shape {
+            CycleShape::V => 1,
+            // A hierarchy has few levels, but the list comes from outside.
+            CycleShape::W => 1 << level.min(usize::BITS as usize - 1),
+        }
+    }
+
+    /// Whether the cycle is symmetric in the energy product.
+    pub(crate) fn is_symmetric(&self) -> bool {
+        self.before == self.after
     }
 
     pub(crate) fn check(&self) -> Result<(), Error> {

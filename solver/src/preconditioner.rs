@@ -1,10 +1,16 @@
 //! What an iteration may use to turn residuals into corrections.
 
 /// An approximate inverse of a symmetric positive definite matrix, itself
-/// linear, symmetric and positive definite. `V` is what vectors hold for each row.
+/// positive definite and, best, linear and symmetric. `V` is what vectors hold for each row.
 pub trait Preconditioner<V = f64> {
     /// z ≈ A⁻¹ r.
     fn apply(&mut self, r: &[V], z: &mut [V]);
+
+    /// Whether it is linear and symmetric; if not, conjugate gradients run in their
+    /// flexible form.
+    fn is_symmetric(&self) -> bool {
+        true
+    }
 
     /// The seconds that building it took; they go into the report of a solve.
     fn setup_seconds(&self) -> f64 {

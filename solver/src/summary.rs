@@ -1,5 +1,6 @@
 //! The multigrid's table of itself.
 
+use crate::csr::Csr;
 use crate::entry::Entry;
 use crate::multigrid::Multigrid;
 use std::fmt;
@@ -15,11 +16,23 @@ pub struct LevelSummary {
     pub bytes: usize,
     /// Stored entries of the prolongation onto it; none on the coarsest level.
     pub prolongation_nonzeros: Option<usize>,
-    /// The estimate for D⁻¹A; none on the coarsest level, which is not smoothed.
+    /// The estimate for D⁻¹A; none on the coarsest level, which is not smoothed, and
+    /// with smoothers that need none.
     pub largest_eigenvalue: Option<f64>,
 }
 
 impl LevelSummary {
+    /// The size of a matrix, nothing else.
+    pub(crate) fn of<E: Entry>(matrix: &Csr<E>) -> Self {
+        Self {
+            unknowns: matrix.rows() * E::SIZE,
+            nonzeros: matrix.nonzeros() * E::SIZE * E::SIZE,
+            bytes: 0,
+            prolongation_nonzeros: None,
+            largest_eigenvalue: None,
+        }
+    }
+
     /// Stored entries a row of its matrix.
     pub fn nonzeros_per_row(&self) -> f64 {
         self.nonzeros as f64 / self.unknowns.max(1) as f64
@@ -34,8 +47,11 @@ impl<E: Entry> fmt::Display for Multigrid<E> {
             "level", "unknowns", "nonzeros", "per row", "MiB", "λmax"
         )?;
         for (number, level) in self.levels().iter().enumerate() {
-            let eigenvalue =
-                level.largest_eigenvalue.map_or("direct".into(), |value| format!("{value:.3}"));
+            let eigenvalue = match (level.largest_eigenvalue, level.prolongation_nonzeros) {
+                (Some(value), _) => format!("{value:.3}"),
+                (None, Some(_)) => "–".into(),
+                (None, None) => "direct".into(),
+            };
             writeln!(
                 f,
                 "{number:>5}  {:>10}  {:>11}  {:>7.1}  {:>9.2}  {eigenvalue:>9}",

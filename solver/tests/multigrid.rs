@@ -79,6 +79,7 @@ fn box_spline_prolongation_reduces_more_a_cycle() {
         before: 2,
         after: 2,
         precision: Precision::Double,
+        ..MultigridOptions::default()
     };
     let reductions = [Scheme::Linear, Scheme::BoxSpline]
         .map(|scheme| [3, 4].map(|level| cube(level, scheme).reduction(&options)));

@@ -1,0 +1,56 @@
+//! Sparse products, row-wise after Gustavson (1978): row i of A B is the sum of the
+//! rows of B that row i of A names.
+
+use crate::accumulator::Accumulator;
+use crate::chunks::map_ranges;
+use crate::csr::Csr;
+
+/// A B, with every entry that the patterns can produce, zeros included.
+///
+/// # Panics
+/// If the inner dimensions differ.
+pub fn multiply(a: &Csr<f64>, b: &Csr<f64>) -> Csr<f64> {
+    assert_eq!(a.columns(), b.rows(), "columns of the left, rows of the right factor");
+    let chunks = map_ranges(a.rows(), |rows| {
+        let mut row = Accumulator::<f64>::new(b.columns());
+        let (mut lengths, mut indices, mut values) = (Vec::new(), Vec::new(), Vec::new());
+        for i in rows {
+            row.clear();
+            let (a_indices, a_values) = a.row(i);
+            for (&k, &weight) in a_indices.iter().zip(a_values) {
+                let (columns, b_values) = b.row(k as usize);
+                for (&j, &v) in columns.iter().zip(b_values) {
+                    *row.at(j) += weight * v;
+                }
+            }
+            row.touched.sort_unstable();
+            lengths.push(row.touched.len());
+            indices.extend_from_slice(&row.touched);
+            values.extend(row.touched.iter().map(|&j| row.sum(j)));
+        }
+        (lengths, indices, values)
+    });
+    let mut offsets = Vec::with_capacity(a.rows() + 1);
+    offsets.push(0);
+    let mut end = 0;
+    for length in chunks.iter().flat_map(|(lengths, ..)| lengths) {
+        end += length;
+        offsets.push(end);
+    }
+    let indices: Vec<&[u32]> = chunks.iter().map(|(_, indices, _)| &**indices).collect();
+    let values: Vec<&[f64]> = chunks.iter().map(|(.., values)| &**values).collect();
+    Csr::trusted(b.columns(), offsets, indices.concat(), values.concat())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_product_keeps_zeros_that_the_patterns_produce() {
+        let row = Csr::new(2, vec![0, 2], vec![0, 1], vec![1.0, -1.0]).unwrap();
+        let column = Csr::new(1, vec![0, 1, 2], vec![0, 0], vec![3.0, 3.0]).unwrap();
+        let product = multiply(&row, &column);
+        assert_eq!((product.nonzeros(), product.get(0, 0)), (1, Some(0.0)));
+    }
+}

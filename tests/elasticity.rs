@@ -181,7 +181,7 @@ fn wrong_elastic_configs_are_told_with_file_line_and_key() {
         (
             "{ young = 200, poisson = 0.3 }",
             "{ young = 200, poisson = \"0.3*t\" }",
-            "c.toml:14:39: `poisson` in stage `solve`: expression \"0.3*t\", column 5: unknown \
+            "c.toml:14:37: `poisson` in stage `solve`: expression \"0.3*t\", column 5: unknown \
              name `t` (valid: x, y, z, pi, e)",
         ),
     ] {

@@ -2,15 +2,15 @@
 
 use octruss_mesh::{Hierarchy, RawMesh};
 use octruss_solver::{
-    ByRegion, Constraints, Dofs, Elasticity, Error as SolverError, Held, Material, Stiffness,
-    Support, VectorSystem, assemble_elasticity, vector,
+    ByRegion, Constraints, Elasticity, Error as SolverError, Held, Material, Stiffness, Support,
+    VectorSystem, assemble_elasticity, vector,
 };
 
 use super::Context;
 use super::body::Body;
 use super::fixed::Fixed;
 use super::groups::{by_region, on_surfaces};
-use super::multigrid::{Discrete, blank_outside, range};
+use super::multigrid::{Discrete, LevelUnknowns, blank_outside, range};
 use super::solve::{Outcome, Solve, assembled, solve_in_turn};
 use crate::error::Error;
 use crate::recipe::{self, PerRegion, ValueOrVector, VectorValue};
@@ -59,15 +59,19 @@ impl AsRef<Discrete<[[f64; 3]; 3]>> for Assembled {
 fn discretise(hierarchy: &Hierarchy, problem: &Elasticity) -> Result<Assembled, SolverError> {
     let finest = hierarchy.meshes.len() - 1;
     let coarse = hierarchy.meshes.iter().zip(&hierarchy.topologies).take(finest);
-    let mut dofs: Vec<Dofs> = coarse
+    let level = |held: &Constraints| LevelUnknowns {
+        dofs: held.dofs().clone(),
+        projectors: held.projectors(),
+    };
+    let mut levels: Vec<LevelUnknowns<_>> = coarse
         .map(|(mesh, topology)| {
-            Constraints::new(mesh, topology, &problem.supports).map(|held| held.dofs().clone())
+            Constraints::new(mesh, topology, &problem.supports).map(|held| level(&held))
         })
         .collect::<Result<_, _>>()?;
     let (mesh, topology) = (&hierarchy.meshes[finest], &hierarchy.topologies[finest]);
     let VectorSystem { matrix, rhs, constraints } = assemble_elasticity(mesh, topology, problem)?;
-    dofs.push(constraints.dofs().clone());
-    Ok(Assembled { discrete: Discrete { matrix, rhs, dofs }, constraints })
+    levels.push(level(&constraints));
+    Ok(Assembled { discrete: Discrete { matrix, rhs, levels }, constraints })
 }
 
 /// The problem that a stage describes, on this mesh.

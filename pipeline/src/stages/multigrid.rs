@@ -72,7 +72,16 @@ pub struct Discrete<E: Entry> {
     /// One entry for each unknown.
     pub rhs: Vec<E::Nodal>,
     /// The unknowns of each level, coarsest first.
-    pub dofs: Vec<Dofs>,
+    pub levels: Vec<LevelUnknowns<E>>,
+}
+
+/// The unknowns of one level.
+pub struct LevelUnknowns<E> {
+    /// Which vertices they belong to.
+    pub dofs: Dofs,
+    /// Those that are held in some directions, with the projector onto the free
+    /// ones.
+    pub projectors: Vec<(u32, E)>,
 }
 
 impl<E: Entry> AsRef<Self> for Discrete<E> {
@@ -84,7 +93,7 @@ impl<E: Entry> AsRef<Self> for Discrete<E> {
 impl<E: Entry> Discrete<E> {
     /// The unknowns of the finest level.
     pub fn finest(&self) -> &Dofs {
-        self.dofs.last().expect("there is at least one level")
+        &self.levels.last().expect("there is at least one level").dofs
     }
 
     /// How many numbers are unknown.
@@ -107,9 +116,11 @@ pub fn solve_with<E: Entry<Real = f64>>(
 ) -> Result<(Vec<E::Nodal>, SolveFigures), Error> {
     let start = Instant::now();
     let matrices = subdivision_matrices(hierarchy, scheme);
-    let prolongations = prolongations(&matrices, &discrete.dofs)?;
-    let Discrete { matrix, rhs, .. } = discrete;
-    let mut multigrid = Multigrid::new(matrix, prolongations, &multigrid_options(options))?;
+    let Discrete { matrix, rhs, levels } = discrete;
+    let prolongations = prolongations(&matrices, levels)?;
+    let projectors = levels.iter().rev().map(|level| level.projectors.clone()).collect();
+    let mut multigrid =
+        Multigrid::constrained(matrix, prolongations, projectors, &multigrid_options(options))?;
     let setup_seconds = start.elapsed().as_secs_f64();
     let tell = |iteration: usize, residual: f64| {
         context
@@ -180,12 +191,12 @@ fn subdivision_matrices(hierarchy: &Hierarchy, scheme: Scheme) -> Vec<Cow<'_, Su
 }
 
 /// Prolongations between free unknowns, finest first.
-fn prolongations(
+fn prolongations<E>(
     matrices: &[Cow<SubdivisionMatrix>],
-    dofs: &[Dofs],
+    levels: &[LevelUnknowns<E>],
 ) -> Result<Vec<Csr<f64>>, Error> {
-    let transfers = matrices.iter().zip(dofs.windows(2)).rev();
-    transfers.map(|(matrix, levels)| restrict_to_free(matrix, &levels[1], &levels[0])).collect()
+    let transfers = matrices.iter().zip(levels.windows(2)).rev();
+    transfers.map(|(matrix, pair)| restrict_to_free(matrix, &pair[1].dofs, &pair[0].dofs)).collect()
 }
 
 fn multigrid_options(options: &Solve) -> MultigridOptions {

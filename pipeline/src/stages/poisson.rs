@@ -6,7 +6,7 @@ use octruss_solver::{Dofs, Error as SolverError, Poisson, Robin, Scalar, assembl
 
 use super::Context;
 use super::groups::{by_region, on_surfaces};
-use super::multigrid::{Discrete, blank_outside, range};
+use super::multigrid::{Discrete, LevelUnknowns, blank_outside, range};
 use super::solve::{Outcome, Solve, assembled, solve_in_turn};
 use crate::error::Error;
 use crate::recipe::{Value, ValueOrVector};
@@ -28,7 +28,9 @@ pub(super) fn solve(
         let mut dofs: Vec<Dofs> =
             coarse.map(|mesh| Dofs::new(mesh, &problem.fixed)).collect::<Result<_, _>>()?;
         dofs.push(system.dofs);
-        Ok::<_, SolverError>(Discrete { matrix: system.matrix, rhs: system.rhs, dofs })
+        let level = |dofs| LevelUnknowns { dofs, projectors: Vec::new() };
+        let levels = dofs.into_iter().map(level).collect();
+        Ok::<_, SolverError>(Discrete { matrix: system.matrix, rhs: system.rhs, levels })
     })?;
     let expand = |x: &[f64]| {
         let mut solution = discrete.finest().expand(x)?;

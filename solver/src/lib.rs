@@ -2,7 +2,7 @@
 //! multigrid.
 //!
 //! ```text
-//! TetMesh, Poisson ──assemble──▶ System ─┐
+//! TetMesh, Poisson ──assemble──▶ System ─┐          (Elasticity ──assemble_elasticity──▶ VectorSystem)
 //! SubdivisionMatrix ──restrict_to_free──▶│──Multigrid──▶ conjugate_gradients ──▶ solution, SolveReport
 //! ```
 //!

@@ -43,7 +43,7 @@ pub fn conjugate_gradients<E: Entry<Real = f64>>(
     while run.may_go_on() {
         preconditioner.apply(&r, &mut z);
         let rz = dot(&r, &z);
-        if rz <= 0.0 || rz.is_nan() {
+        if !(rz > 0.0 && rz.is_finite()) {
             let what = "preconditioner";
             return Err(Error::NotPositiveDefinite { what, at: run.unfinished(x) });
         }
@@ -56,7 +56,8 @@ pub fn conjugate_gradients<E: Entry<Real = f64>>(
         };
         follow(Nodal::flat(&z), keep, Nodal::flat_mut(&mut p));
         let pq = product_dot(matrix, &p, &mut q);
-        if pq <= 0.0 || pq.is_nan() {
+        // A step that is not finite would spoil the iterate.
+        if !(pq > 0.0 && (rz / pq).is_finite()) {
             return Err(Error::NotPositiveDefinite { what: "matrix", at: run.unfinished(x) });
         }
         let directions = (Nodal::flat(&p), Nodal::flat(&q));

@@ -2,6 +2,7 @@
 //! number of threads, so that sums over chunks have the same bits everywhere.
 
 use rayon::prelude::*;
+use std::sync::{Mutex, PoisonError};
 
 /// Below this length a parallel loop costs more than it saves.
 const SERIAL_BELOW: usize = 3_000;
@@ -64,13 +65,23 @@ pub(crate) fn map_ranges<R: Send>(
 
 /// As [`map_ranges`] where each of `0..n` is much work, with a workspace that
 /// chunks done by the same thread share.
-pub(crate) fn map_heavy_ranges<W, R: Send>(
+pub(crate) fn map_heavy_ranges<W: Send, R: Send>(
     n: usize,
-    workspace: impl Fn() -> W + Sync + Send,
-    work: impl Fn(&mut W, std::ops::Range<usize>) -> R + Sync + Send,
+    workspace: impl Fn() -> W + Sync,
+    work: impl Fn(&mut W, std::ops::Range<usize>) -> R + Sync,
 ) -> Vec<R> {
     let len = (n / 64).clamp(64, 4_096);
     let range = |c: usize| c * len..((c + 1) * len).min(n);
+    // Which workspace a chunk gets changes nothing but the time. (Rayon's map_init
+    // would make one for every piece of work it splits off.)
+    let idle = Mutex::new(Vec::new());
+    let take = || idle.lock().unwrap_or_else(PoisonError::into_inner).pop();
     let chunks = (0..n.div_ceil(len)).into_par_iter();
-    chunks.map_init(workspace, |workspace, c| work(workspace, range(c))).collect()
+    let run = |c: usize| {
+        let mut taken = take().unwrap_or_else(&workspace);
+        let result = work(&mut taken, range(c));
+        idle.lock().unwrap_or_else(PoisonError::into_inner).push(taken);
+        result
+    };
+    chunks.map(run).collect()
 }

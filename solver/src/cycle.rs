@@ -17,7 +17,7 @@ pub(crate) struct Cycle<E: Entry> {
     shape: CycleShape,
     /// All matrices are this times those of the problem.
     matrix_scale: f64,
-    rhs: Vec<E::Nodal>,
+    pub(crate) rhs: Vec<E::Nodal>,
     x: Vec<E::Nodal>,
 }
 
@@ -112,7 +112,8 @@ fn descend<E: Entry>(
         return coarsest.solve(Nodal::flat(b), Nodal::flat_mut(x));
     };
     level.smooth_before(b, x, from_zero);
-    level.restrict_residual(b, x);
+    level.compute_residual(b, x);
+    level.restrict_residual();
     let coarse = (&*level.coarse_rhs, &mut level.coarse_x);
     descend(shape, coarser, coarsest, (coarse.0, coarse.1), true);
     // The direct solver has nothing to add the second time.

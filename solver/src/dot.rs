@@ -3,6 +3,7 @@
 
 use crate::chunks::map_ranges;
 use crate::entry::Nodal;
+use crate::real::Real;
 
 /// The scalar product of two vectors of equal length.
 ///
@@ -28,10 +29,10 @@ pub(crate) fn largest<V: Nodal<Real = f64>>(a: &[V]) -> f64 {
 }
 
 /// The scalar product inside one chunk, with four partial sums so that the
-/// additions need not wait for each other.
+/// additions need not wait for each other; in the precision of the numbers.
 #[inline]
-pub(crate) fn chunk_dot(a: &[f64], b: &[f64]) -> f64 {
-    let mut sums = [0.0; 4];
+pub(crate) fn chunk_dot<T: Real>(a: &[T], b: &[T]) -> f64 {
+    let mut sums = [T::default(); 4];
     let (a4, a_rest) = a.as_chunks::<4>();
     let (b4, b_rest) = b.as_chunks::<4>();
     for (a, b) in a4.iter().zip(b4) {
@@ -39,8 +40,11 @@ pub(crate) fn chunk_dot(a: &[f64], b: &[f64]) -> f64 {
             sums[k] += a[k] * b[k];
         }
     }
-    let rest: f64 = a_rest.iter().zip(b_rest).map(|(a, b)| a * b).sum();
-    (sums[0] + sums[1]) + (sums[2] + sums[3]) + rest
+    let mut rest = T::default();
+    for (a, b) in a_rest.iter().zip(b_rest) {
+        rest += *a * *b;
+    }
+    ((sums[0] + sums[1]) + (sums[2] + sums[3]) + rest).to_f64()
 }
 
 #[cfg(test)]

@@ -187,7 +187,7 @@ pub enum Error {
     /// Neither Cholesky nor LU factors of the coarsest matrix pass their test.
     #[error(
         "the coarsest matrix ({unknowns} unknowns) cannot be factored: Cholesky: {cholesky}; \
-         LU: {lu}; it is singular or nearly so"
+         LU: {lu}; it is singular or nearly so: check that enough is fixed on every part"
     )]
     CoarsestSingular {
         /// Unknowns on the coarsest level.
@@ -199,7 +199,11 @@ pub enum Error {
     },
     /// A direction p with p · A p ≤ 0 was met, or a preconditioner that is not
     /// positive.
-    #[error("the {what} is not positive definite (iteration {})", .at.report.iterations)]
+    #[error(
+        "the {what} is not positive definite (iteration {}): check that coefficients are \
+         positive and enough is fixed; if they are, try double precision in the cycle",
+        .at.report.iterations
+    )]
     NotPositiveDefinite {
         /// The matrix or the preconditioner.
         what: &'static str,

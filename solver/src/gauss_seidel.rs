@@ -25,7 +25,7 @@ pub(crate) fn sweep<E: Entry>(
     order: Order,
 ) {
     let mut relax = |i: usize| {
-        let r = b[i].minus(row_product(matrix, i, x));
+        let r = b[i].minus(row_product(matrix.row(i), x));
         x[i] = inverse_diagonal[i].add_product(r, x[i]);
     };
     match order {
@@ -47,7 +47,7 @@ pub(crate) fn coloured_sweep<E: Entry>(
         for_chunks(new, |first, chunk| {
             for (new, &i) in chunk.iter_mut().zip(&rows[first..]) {
                 let i = i as usize;
-                let r = b[i].minus(row_product(matrix, i, x));
+                let r = b[i].minus(row_product(matrix.row(i), x));
                 *new = inverse_diagonal[i].add_product(r, x[i]);
             }
         });

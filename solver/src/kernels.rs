@@ -10,11 +10,9 @@ use crate::csr::Csr;
 use crate::dot::chunk_dot;
 use crate::entry::{Acts, Entry, Nodal};
 
-/// The product of row `i` with `x`, in four partial sums so that additions
-/// overlap.
+/// The product of a row with `x`, in four partial sums so that additions overlap.
 #[inline]
-pub(crate) fn row_product<A: Acts<V>, V: Nodal>(matrix: &Csr<A>, i: usize, x: &[V]) -> V {
-    let (indices, values) = matrix.row(i);
+pub(crate) fn row_product<A: Acts<V>, V: Nodal>((indices, values): (&[u32], &[A]), x: &[V]) -> V {
     let (i4, i_rest) = indices.as_chunks::<4>();
     let (v4, v_rest) = values.as_chunks::<4>();
     let mut sums = [V::default(); 4];
@@ -36,19 +34,22 @@ pub(crate) fn row_product<A: Acts<V>, V: Nodal>(matrix: &Csr<A>, i: usize, x: &[
 /// Here and below: if a vector's length does not fit the matrix.
 pub fn product<A: Acts<V>, V: Nodal>(matrix: &Csr<A>, x: &[V], y: &mut [V]) {
     check_lengths(matrix, x, y);
-    for_chunks(y, |first, chunk| {
-        for (k, y) in chunk.iter_mut().enumerate() {
-            *y = row_product(matrix, first + k, x);
-        }
-    });
+    for_chunks(y, |first, chunk| product_rows(matrix, x, first, chunk));
+}
+
+/// The rows of y = A x from row `first` on.
+fn product_rows<A: Acts<V>, V: Nodal>(matrix: &Csr<A>, x: &[V], first: usize, y: &mut [V]) {
+    for (row, y) in matrix.rows_in(first..first + y.len()).zip(y) {
+        *y = row_product(row, x);
+    }
 }
 
 /// y += A x.
 pub fn add_product<A: Acts<V>, V: Nodal>(matrix: &Csr<A>, x: &[V], y: &mut [V]) {
     check_lengths(matrix, x, y);
     for_chunks(y, |first, chunk| {
-        for (k, y) in chunk.iter_mut().enumerate() {
-            *y = y.plus(row_product(matrix, first + k, x));
+        for (row, y) in matrix.rows_in(first..first + chunk.len()).zip(chunk) {
+            *y = y.plus(row_product(row, x));
         }
     });
 }
@@ -58,24 +59,19 @@ pub fn residual<A: Acts<V>, V: Nodal>(matrix: &Csr<A>, x: &[V], b: &[V], r: &mut
     check_lengths(matrix, x, r);
     assert_eq!(b.len(), r.len());
     for_chunks(r, |first, chunk| {
-        for (k, r) in chunk.iter_mut().enumerate() {
-            *r = b[first + k].minus(row_product(matrix, first + k, x));
+        let rows = first..first + chunk.len();
+        for ((row, b), r) in matrix.rows_in(rows.clone()).zip(&b[rows]).zip(chunk) {
+            *r = b.minus(row_product(row, x));
         }
     });
 }
 
 /// y = A x for a square matrix, and x · y.
-pub fn product_dot<E: Entry<Real = f64>>(
-    matrix: &Csr<E>,
-    x: &[E::Nodal],
-    y: &mut [E::Nodal],
-) -> f64 {
+pub fn product_dot<E: Entry>(matrix: &Csr<E>, x: &[E::Nodal], y: &mut [E::Nodal]) -> f64 {
     check_lengths(matrix, x, y);
     assert_eq!(x.len(), y.len());
     let sums = map_chunks(y, |first, chunk| {
-        for (k, y) in chunk.iter_mut().enumerate() {
-            *y = row_product(matrix, first + k, x);
-        }
+        product_rows(matrix, x, first, chunk);
         chunk_dot(Nodal::flat(chunk), Nodal::flat(&x[first..first + chunk.len()]))
     });
     sums.iter().sum()
@@ -91,12 +87,15 @@ pub(crate) fn chebyshev_step<E: Entry>(
 ) {
     check_lengths(matrix, x, d);
     map_chunks2(d, next, |first, d, next| {
-        for (k, (d, next)) in d.iter_mut().zip(next).enumerate() {
-            let i = first + k;
-            let r = b[i].minus(row_product(matrix, i, x));
-            let scaled = inverse_diagonal[i].add_product(r, E::Nodal::default());
+        let rows = first..first + d.len();
+        let given = b[rows.clone()].iter().zip(&x[rows.clone()]);
+        let given = given.zip(&inverse_diagonal[rows.clone()]);
+        let rows = matrix.rows_in(rows).zip(given);
+        for ((row, ((b, x_here), inverse)), (d, next)) in rows.zip(d.iter_mut().zip(next)) {
+            let r = b.minus(row_product(row, x));
+            let scaled = inverse.add_product(r, E::Nodal::default());
             *d = d.scaled(keep).add_scaled(add, scaled);
-            *next = x[i].plus(*d);
+            *next = x_here.plus(*d);
         }
     });
 }

@@ -14,14 +14,14 @@ use crate::smoothing::Smoothing;
 pub(crate) struct Level<E: Entry> {
     pub(crate) matrix: Csr<E>,
     pub(crate) smoothing: Smoothing<E>,
-    before: usize,
-    after: usize,
+    pub(crate) before: usize,
+    pub(crate) after: usize,
     pub(crate) prolongation: Csr<E::Real>,
     pub(crate) restriction: Csr<E::Real>,
     /// The constrained rows of this and of the next coarser level.
     projectors: Vec<(u32, E)>,
     coarse_projectors: Vec<(u32, E)>,
-    pub(crate) residual: Vec<E::Nodal>,
+    residual: Vec<E::Nodal>,
     /// Right-hand side and solution of the next coarser level.
     pub(crate) coarse_rhs: Vec<E::Nodal>,
     pub(crate) coarse_x: Vec<E::Nodal>,
@@ -35,9 +35,10 @@ impl<E: Entry> Level<E> {
         [fine, coarse]: [&Projectors<D>; 2],
         options: &MultigridOptions,
     ) -> Self {
+        let rounded = matrix.cast_scaled(scale);
         Self {
-            matrix: matrix.cast_scaled(scale),
-            smoothing: Smoothing::new((matrix, diagonal, fine), scale, options),
+            smoothing: Smoothing::new((matrix, diagonal, fine), (&rounded, scale), options),
+            matrix: rounded,
             before: options.before,
             after: options.after,
             prolongation: prolongation.cast(),
@@ -69,9 +70,13 @@ impl<E: Entry> Level<E> {
         }
     }
 
-    /// The coarse right-hand side: Pᵀ (b − A x).
-    pub(crate) fn restrict_residual(&mut self, b: &[E::Nodal], x: &[E::Nodal]) {
+    /// The residual b − A x.
+    pub(crate) fn compute_residual(&mut self, b: &[E::Nodal], x: &[E::Nodal]) {
         residual(&self.matrix, x, b, &mut self.residual);
+    }
+
+    /// The coarse right-hand side: Pᵀ times the residual.
+    pub(crate) fn restrict_residual(&mut self) {
         product(&self.restriction, &self.residual, &mut self.coarse_rhs);
         project(&self.coarse_projectors, &mut self.coarse_rhs);
     }

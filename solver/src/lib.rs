@@ -33,6 +33,7 @@
 //! # Ok::<(), octruss_solver::Error>(())
 //! ```
 
+mod account;
 mod accumulator;
 mod assemble;
 mod assemble_elasticity;
@@ -73,6 +74,7 @@ mod poisson_load;
 mod preconditioner;
 mod problem;
 mod projectors;
+mod quadratic;
 pub mod quadrature;
 mod random;
 mod real;
@@ -95,6 +97,7 @@ mod toy;
 mod transfer;
 mod transpose;
 
+pub use account::{Account, KernelTraffic};
 pub use assemble::{System, assemble};
 pub use assemble_elasticity::{VectorSystem, assemble_elasticity};
 pub use by_region::ByRegion;
@@ -115,6 +118,7 @@ pub use norms::{h1_seminorm_error, l2_error};
 pub use options::{CycleShape, DiagonalKind, MultigridOptions, Precision, Smoother};
 pub use preconditioner::{Identity, Preconditioner};
 pub use problem::{Poisson, Robin};
+pub use quadratic::quadratic_transfer;
 pub use random::noise;
 pub use real::Real;
 pub use recovery::Recovery;

@@ -11,7 +11,8 @@ pub enum Smoother {
         /// Products with the matrix a sweep.
         degree: usize,
         /// The lower end of the damped interval as a share of its upper end,
-        /// which is 1.1 times the estimated largest eigenvalue of D⁻¹A.
+        /// which is 1.05 times the estimated largest eigenvalue of D⁻¹A, or where
+        /// a bound for it is smaller, that bound.
         lower: f64,
     },
     /// A Gauss–Seidel sweep, forward before the coarse correction, backward

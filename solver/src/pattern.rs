@@ -1,6 +1,7 @@
 //! Where a sparse matrix has entries; shared by matrices that differ in values.
 
 use std::ops::Range;
+use std::slice::Windows;
 
 /// The places of entries by rows, columns ascending in each row.
 #[derive(Debug, Clone, PartialEq)]
@@ -53,12 +54,39 @@ impl Pattern {
         }
     }
 
+    /// The numbers of entries of the rows given, in order.
+    #[inline]
+    pub(crate) fn lengths(&self, rows: Range<usize>) -> Lengths<'_> {
+        match &self.offsets {
+            Offsets::Narrow(offsets) => Lengths::Narrow(offsets[rows.start..=rows.end].windows(2)),
+            Offsets::Wide(offsets) => Lengths::Wide(offsets[rows.start..=rows.end].windows(2)),
+        }
+    }
+
     pub(crate) fn bytes(&self) -> usize {
         let offsets = match &self.offsets {
             Offsets::Narrow(offsets) => size_of_val(&**offsets),
             Offsets::Wide(offsets) => size_of_val(&**offsets),
         };
         offsets + size_of_val(&*self.indices)
+    }
+}
+
+/// Numbers of entries of consecutive rows.
+pub(crate) enum Lengths<'a> {
+    Narrow(Windows<'a, u32>),
+    Wide(Windows<'a, usize>),
+}
+
+impl Iterator for Lengths<'_> {
+    type Item = usize;
+
+    #[inline]
+    fn next(&mut self) -> Option<usize> {
+        match self {
+            Self::Narrow(ends) => ends.next().map(|ends| (ends[1] - ends[0]) as usize),
+            Self::Wide(ends) => ends.next().map(|ends| ends[1] - ends[0]),
+        }
     }
 }
 

@@ -21,8 +21,9 @@ pub struct SolveReport {
 pub struct Unfinished {
     /// What was done and reached.
     pub report: SolveReport,
-    /// The last iterate. Conjugate gradients decrease the energy norm of the
-    /// error in every iteration, so the last is the best. Of a system of blocks
+    /// The best iterate. Conjugate gradients decrease the energy norm of the
+    /// error in every iteration, so there it is the last; of cycles alone it is the
+    /// one with the smallest residual. Of a system of blocks
     /// three numbers for each row.
     pub iterate: Vec<f64>,
 }

@@ -10,9 +10,10 @@ use crate::options::{MultigridOptions, Smoother};
 use crate::projectors::Projectors;
 use crate::spectrum::largest_eigenvalue;
 
-/// The estimated largest eigenvalue is from below; the damped interval ends
-/// this much higher.
-const SAFETY: f64 = 1.1;
+/// The estimated largest eigenvalue is from below by a few percent; the damped
+/// interval ends this much higher, unless a bound says that it need not. (Just
+/// beyond its end a Chebyshev polynomial still damps.)
+const SAFETY: f64 = 1.05;
 
 /// A smoother with its data and work vectors.
 pub(crate) struct Smoothing<E: Entry> {
@@ -29,35 +30,40 @@ enum Kind<E: Entry> {
 }
 
 impl<E: Entry> Smoothing<E> {
-    /// The smoother of `scale` times a matrix in double precision.
+    /// The smoother of a matrix in the cycle's precision, `scale` times the one in
+    /// double precision.
     pub(crate) fn new<D: Entry<Real = f64>>(
         (matrix, diagonal, projectors): (&Csr<D>, Diagonal<D>, &Projectors<D>),
-        scale: f64,
+        (rounded, scale): (&Csr<E>, f64),
         options: &MultigridOptions,
     ) -> Self {
         let n = matrix.rows();
-        let mut eigenvalue = None;
-        let (diagonal, kind) = match options.smoother {
+        let diagonal = match options.smoother {
+            Smoother::Chebyshev { .. } => diagonal.of_kind(options.diagonal, projectors),
+            Smoother::L1Jacobi => diagonal.plus_rows(matrix, options.diagonal, projectors),
+            Smoother::GaussSeidel | Smoother::ColouredGaussSeidel => diagonal,
+        };
+        let inverse_diagonal: Vec<E> =
+            diagonal.inverses.iter().map(|d| d.cast_scaled(1.0 / scale)).collect();
+        let mut largest = None;
+        let kind = match options.smoother {
             Smoother::Chebyshev { degree, lower } => {
-                let diagonal = diagonal.of_kind(options.diagonal, projectors);
-                let largest = largest_eigenvalue(matrix, &diagonal.entries, &diagonal.inverses);
-                eigenvalue = Some(largest);
-                let upper = SAFETY * largest;
-                (diagonal, Kind::Polynomial(Chebyshev::new(n, degree, lower * upper, upper)))
+                let entries: Vec<E> =
+                    diagonal.entries.iter().map(|d| d.cast_scaled(scale)).collect();
+                let end = largest_eigenvalue(rounded, &entries, &inverse_diagonal);
+                largest = Some(end.estimate);
+                let upper = (SAFETY * end.estimate).min(end.bound);
+                Kind::Polynomial(Chebyshev::new(n, degree, lower * upper, upper))
             }
-            Smoother::L1Jacobi => {
-                let diagonal = diagonal.plus_rows(matrix, options.diagonal, projectors);
-                (diagonal, Kind::Polynomial(Chebyshev::plain(n)))
-            }
-            Smoother::GaussSeidel => (diagonal, Kind::Lexicographic),
+            Smoother::L1Jacobi => Kind::Polynomial(Chebyshev::plain(n)),
+            Smoother::GaussSeidel => Kind::Lexicographic,
             Smoother::ColouredGaussSeidel => {
                 let colouring = Colouring::greedy(matrix);
                 let buffer = vec![E::Nodal::default(); colouring.largest()];
-                (diagonal, Kind::Coloured(colouring, buffer))
+                Kind::Coloured(colouring, buffer)
             }
         };
-        let rounded = diagonal.inverses.iter().map(|d| d.cast_scaled(1.0 / scale)).collect();
-        Self { inverse_diagonal: rounded, kind, largest_eigenvalue: eigenvalue }
+        Self { inverse_diagonal, kind, largest_eigenvalue: largest }
     }
 
     /// One sweep for A x = b. With `from_zero`, `x` counts as zero whatever it holds.
@@ -94,11 +100,23 @@ impl<E: Entry> Smoothing<E> {
         size_of_val(&*self.inverse_diagonal) + kind
     }
 
-    /// Passes over the matrix in a sweep that does not begin at zero.
-    pub(crate) fn products(&self) -> usize {
+    /// The bytes that one sweep over a matrix moves, from the sizes of its arrays.
+    /// From zero a polynomial saves its first product.
+    pub(crate) fn sweep_bytes(&self, matrix: &Csr<E>, from_zero: bool) -> usize {
+        let (diagonal, vector) =
+            (size_of_val(&*self.inverse_diagonal), matrix.rows() * size_of::<E::Nodal>());
         match &self.kind {
-            Kind::Polynomial(chebyshev) => chebyshev.degree(),
-            Kind::Lexicographic | Kind::Coloured(..) => 1,
+            Kind::Polynomial(chebyshev) => {
+                // Reads x, b and d, writes d and the next x; the first step from
+                // zero reads b and writes d and x.
+                let step = matrix.bytes() + diagonal + 5 * vector;
+                let first = if from_zero { diagonal + 3 * vector } else { step };
+                first + (chebyshev.degree() - 1) * step
+            }
+            Kind::Lexicographic => matrix.bytes() + diagonal + 3 * vector,
+            Kind::Coloured(colouring, _) => {
+                matrix.bytes() + diagonal + 5 * vector + colouring.bytes()
+            }
         }
     }
 }

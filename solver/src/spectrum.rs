@@ -5,30 +5,44 @@ use crate::csr::Csr;
 use crate::entry::{Entry, Nodal};
 use crate::kernels::product_dot;
 use crate::random::noise;
+use crate::real::Real;
 
 /// Lanczos steps: the estimate then lies a few percent below the eigenvalue,
 /// which the smoother's safety factor covers.
 const STEPS: usize = 10;
 
-/// An estimate from below of the largest eigenvalue of D⁻¹A for symmetric A and
-/// D its diagonal (blocks), never above a bound from the rows; by ten Lanczos
-/// steps in the scalar product of D, from a fixed start vector.
-pub(crate) fn largest_eigenvalue<E: Entry<Real = f64>>(
+/// A new direction of this length, beside vectors of length 1, is rounding.
+const EXHAUSTED: f64 = 1e-6;
+
+/// Where the spectrum of D⁻¹A ends.
+pub(crate) struct UpperEnd {
+    /// From below, within a few percent.
+    pub(crate) estimate: f64,
+    /// No eigenvalue is larger.
+    pub(crate) bound: f64,
+}
+
+/// The largest eigenvalue of D⁻¹A for symmetric A and D its diagonal (blocks): ten
+/// Lanczos steps in the scalar product of D, from a fixed start vector, and a bound
+/// from the rows. Single precision is enough.
+pub(crate) fn largest_eigenvalue<E: Entry>(
     matrix: &Csr<E>,
     diagonal: &[E],
     inverse_diagonal: &[E],
-) -> f64 {
+) -> UpperEnd {
     let n = matrix.rows();
     let zero = E::Nodal::default();
+    let round = E::Real::from_f64;
     let [mut previous, mut current, mut next] = std::array::from_fn(|_| vec![zero; n]);
-    E::Nodal::flat_mut(&mut current).copy_from_slice(&noise(n * E::Nodal::SIZE, 1));
+    let start = noise(n * E::Nodal::SIZE, 1);
+    E::Nodal::flat_mut(&mut current).iter_mut().zip(start).for_each(|(v, s)| *v = round(s));
     let weighted = |first: usize, chunk: &[E::Nodal]| weighted_square(chunk, &diagonal[first..]);
     let sums = map_chunks(&mut current, |first, chunk| weighted(first, chunk));
     let mut size = sums.iter().sum::<f64>().sqrt();
     let (mut alphas, mut betas) = (Vec::new(), Vec::new());
     for step in 0..STEPS.min(n * E::Nodal::SIZE) {
         for_chunks(&mut current, |_, chunk| {
-            chunk.iter_mut().for_each(|v| *v = v.scaled(1.0 / size));
+            chunk.iter_mut().for_each(|v| *v = v.scaled(round(1.0 / size)));
         });
         let alpha = product_dot(matrix, &current, &mut next);
         if step > 0 {
@@ -39,33 +53,34 @@ pub(crate) fn largest_eigenvalue<E: Entry<Real = f64>>(
             for (k, v) in chunk.iter_mut().enumerate() {
                 let i = first + k;
                 let scaled = inverse_diagonal[i].add_product(*v, zero);
-                *v = scaled.add_scaled(-alpha, current[i]).add_scaled(-size, previous[i]);
+                let without = scaled.add_scaled(round(-alpha), current[i]);
+                *v = without.add_scaled(round(-size), previous[i]);
             }
             weighted(first, chunk)
         });
         size = sums.iter().sum::<f64>().sqrt();
         // Nothing new is left: the space is invariant, the estimate exact.
-        if size < 1e-10 {
+        if size < EXHAUSTED {
             break;
         }
         std::mem::swap(&mut previous, &mut current);
         std::mem::swap(&mut current, &mut next);
     }
     let bound = row_bound(matrix, inverse_diagonal);
-    largest_of_tridiagonal(&alphas, &betas, bound).min(bound)
+    UpperEnd { estimate: largest_of_tridiagonal(&alphas, &betas, bound).min(bound), bound }
 }
 
 /// Σ v_i · D_i v_i.
-fn weighted_square<E: Entry<Real = f64>>(v: &[E::Nodal], d: &[E]) -> f64 {
+fn weighted_square<E: Entry>(v: &[E::Nodal], d: &[E]) -> f64 {
     let square = |(v, d): (&E::Nodal, &E)| {
         let image = d.add_product(*v, E::Nodal::default());
-        (0..E::Nodal::SIZE).map(|k| v.at(k) * image.at(k)).sum::<f64>()
+        (0..E::Nodal::SIZE).map(|k| v.at(k).to_f64() * image.at(k).to_f64()).sum::<f64>()
     };
     v.iter().zip(d).map(square).sum()
 }
 
 /// max Σ_j ‖D_i⁻¹ A_ij‖ in the maximum norm, which no eigenvalue of D⁻¹A exceeds.
-fn row_bound<E: Entry<Real = f64>>(matrix: &Csr<E>, inverse_diagonal: &[E]) -> f64 {
+fn row_bound<E: Entry>(matrix: &Csr<E>, inverse_diagonal: &[E]) -> f64 {
     let row = |i: usize| {
         matrix.row(i).1.iter().map(|v| inverse_diagonal[i].times(*v).norm()).sum::<f64>()
     };
@@ -104,10 +119,13 @@ mod tests {
         for n in [1usize, 2, 5, 10] {
             let a = crate::toy::second_difference(n);
             let exact = 1.0 + (std::f64::consts::PI / (n as f64 + 1.0)).cos();
-            assert!((largest_eigenvalue(&a, &vec![2.0; n], &vec![0.5; n]) - exact).abs() < 1e-9);
+            let end = largest_eigenvalue(&a, &vec![2.0; n], &vec![0.5; n]);
+            assert!((end.estimate - exact).abs() < 1e-9);
+            // Rows sum to (1 + 2 + 1) / 2, at the ends and for short chains less.
+            assert_eq!(end.bound, [1.0, 1.5, 2.0][n.min(3) - 1]);
         }
         let a = crate::toy::second_difference(4000);
-        let estimate = largest_eigenvalue(&a, &vec![2.0; 4000], &vec![0.5; 4000]);
+        let estimate = largest_eigenvalue(&a, &vec![2.0; 4000], &vec![0.5; 4000]).estimate;
         assert!(estimate > 1.9 && estimate <= 2.0, "{estimate}");
     }
 }

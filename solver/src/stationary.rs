@@ -14,8 +14,8 @@ use crate::run::{Run, SolveOptions};
 /// Solves A x = b from zero by x ← x + M (b − A x), M the preconditioner.
 ///
 /// # Errors
-/// [`Error::NotConverged`] and [`Error::Stopped`] carry history and last
-/// iterate; [`Error::NotFinite`], [`Error::Size`] and [`Error::Option`] come
+/// [`Error::NotConverged`] and [`Error::Stopped`] carry history and the iterate
+/// with the smallest residual; [`Error::NotFinite`], [`Error::Size`] and [`Error::Option`] come
 /// before the first iteration.
 pub fn stationary_iteration<E: Entry<Real = f64>>(
     matrix: &Csr<E>,
@@ -29,6 +29,8 @@ pub fn stationary_iteration<E: Entry<Real = f64>>(
         return Ok(run.finish(x));
     }
     let (mut r, mut z) = (rhs.to_vec(), vec![E::Nodal::default(); rhs.len()]);
+    // Zero leaves the right-hand side: the best before the first iteration.
+    let (mut best, mut best_norm) = (x.clone(), norm(rhs));
     while run.may_go_on() {
         preconditioner.apply(&r, &mut z);
         x.iter_mut().zip(&z).for_each(|(x, z)| *x = x.plus(*z));
@@ -38,15 +40,19 @@ pub fn stationary_iteration<E: Entry<Real = f64>>(
         if run.is_small(residual_norm) {
             return Ok(run.finish(x));
         }
+        if residual_norm < best_norm {
+            best.copy_from_slice(&x);
+            best_norm = residual_norm;
+        }
         // A diverging iteration ends in infinities: no need to wait for the limit.
         if !residual_norm.is_finite() {
             break;
         }
         if wish.is_break() {
-            return Err(Error::Stopped(run.unfinished(x)));
+            return Err(Error::Stopped(run.unfinished(best)));
         }
     }
-    Err(Error::NotConverged(run.unfinished(x)))
+    Err(Error::NotConverged(run.unfinished(best)))
 }
 
 /// How much one cycle reduces the error: the mean (geometric, over the last 8

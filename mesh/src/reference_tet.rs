@@ -112,6 +112,7 @@ pub const fn edge_in_face(pair: usize, face: usize) -> usize {
 }
 
 /// Six times the signed volume of a tet, in cubed mesh units.
+#[inline]
 pub fn six_volumes(corners: [[f64; 3]; 4]) -> f64 {
     let [o, a, b, c] = corners;
     let [a, b, c] = [a, b, c].map(|p| [p[0] - o[0], p[1] - o[1], p[2] - o[2]]);

@@ -12,7 +12,7 @@ use crate::elasticity::{Elasticity, Material};
 use crate::elasticity_load::{add_springs, blame_load, load_vector, spring_directions};
 use crate::element::{centroid, edge_elasticity};
 use crate::error::{Error, check_finite, check_size};
-use crate::held_vertex::projected_diagonal;
+use crate::held_vertex::{HeldVertex, projected_diagonal};
 use crate::matrix3::{Matrix3, Vector3, ZERO, add3, apply, multiply3, scale, subtract, transpose3};
 use crate::rigid_modes::check_rigid_modes;
 use crate::rows::build_rows;
@@ -165,38 +165,16 @@ impl Stiffness<'_> {
         if self.edges[edge as usize][0] == vertex { block } else { transpose3(&block) }
     }
 
-    /// The diagonal block of a vertex, symmetric to the last bit.
-    fn diagonal(&self, vertex: u32) -> Matrix3 {
+    /// The diagonal block of a vertex from the sum of its other blocks, symmetric
+    /// to the last bit.
+    fn diagonal(&self, vertex: u32, others: &Matrix3) -> Matrix3 {
         let row_sum = self.row_sums.get(vertex as usize).map_or(ZERO, unflattened);
-        let all = self
-            .neighbours(vertex)
-            .fold(ZERO, |sum, (edge, _)| add3(&sum, &self.block(edge, vertex)));
-        let diagonal: Matrix3 = std::array::from_fn(|i| subtract(row_sum[i], all[i]));
+        let diagonal: Matrix3 = std::array::from_fn(|i| subtract(row_sum[i], others[i]));
         add3(&diagonal, &transpose3(&diagonal)).map(|row| scale(0.5, row))
     }
 
     fn projected_matrix(&self, constraints: &Constraints, held: &ByVertex) -> Csr<Matrix3> {
         let dofs = constraints.dofs();
-        // The block of the lower end decides for both, so that the matrix is
-        // symmetric to the last bit.
-        let block = |edge: u32, vertex: u32| {
-            let [low, high] = self.edges[edge as usize];
-            let mut block = unflattened(&self.couplings[edge as usize]);
-            if let Some(held) = held.get(low) {
-                block = multiply3(&held.projector, &block);
-            }
-            if let Some(held) = held.get(high) {
-                block = multiply3(&block, &held.projector);
-            }
-            if low == vertex { block } else { transpose3(&block) }
-        };
-        let diagonal = |vertex: u32| {
-            let diagonal = self.diagonal(vertex);
-            held.get(vertex).map_or(diagonal, |held| {
-                let mean = (0..3).map(|k| diagonal[k][k]).sum::<f64>() / 3.0;
-                projected_diagonal(&held.projector, &diagonal, mean)
-            })
-        };
         build_rows(
             (dofs.unknowns(), dofs.unknowns()),
             |row| {
@@ -205,25 +183,29 @@ impl Stiffness<'_> {
             },
             |row, indices, values| {
                 let vertex = dofs.free()[row];
-                let free = self
-                    .neighbours(vertex)
-                    .filter_map(|(edge, other)| dofs.unknown(other).map(|j| (j, edge)));
-                // Other ends ascend; the row itself goes before the first larger one.
-                let row = row as u32;
-                let lower = free.clone().take_while(|(j, _)| *j < row);
-                let before = lower.count();
-                let mut at = indices.iter_mut().zip(values);
-                for (k, (j, edge)) in free.enumerate() {
-                    if k == before {
-                        at.by_ref().take(1).for_each(|(index, value)| {
-                            (*index, *value) = (row, diagonal(vertex));
-                        });
+                let (mut at, mut own, mut others) = (0, None, ZERO);
+                for (edge, other) in self.neighbours(vertex) {
+                    let block = self.block(edge, vertex);
+                    others = add3(&others, &block);
+                    let Some(column) = dofs.unknown(other) else { continue };
+                    // Other ends ascend; the row itself goes before the first
+                    // larger one.
+                    if own.is_none() && column as usize > row {
+                        own = Some(at);
+                        at += 1;
                     }
-                    at.by_ref().take(1).for_each(|(index, value)| {
-                        (*index, *value) = (j, block(edge, vertex));
-                    });
+                    let block =
+                        projected(&block, held.get(vertex), held.get(other), vertex < other);
+                    (indices[at], values[at]) = (column, block);
+                    at += 1;
                 }
-                at.for_each(|(index, value)| (*index, *value) = (row, diagonal(vertex)));
+                let diagonal = self.diagonal(vertex, &others);
+                let diagonal = held.get(vertex).map_or(diagonal, |held| {
+                    let mean = (0..3).map(|k| diagonal[k][k]).sum::<f64>() / 3.0;
+                    projected_diagonal(&held.projector, &diagonal, mean)
+                });
+                let own = own.unwrap_or(at);
+                (indices[own], values[own]) = (row as u32, diagonal);
             },
         )
     }
@@ -241,16 +223,14 @@ impl Stiffness<'_> {
         map_chunks(&mut rhs, |first, chunk| {
             for (rhs, &vertex) in chunk.iter_mut().zip(&free[first..]) {
                 if lifts {
+                    let mut others = ZERO;
                     for (edge, other) in self.neighbours(vertex) {
-                        let value = held.value(other);
-                        if value != [0.0; 3] {
-                            *rhs = subtract(*rhs, apply(&self.block(edge, vertex), value));
-                        }
+                        let block = self.block(edge, vertex);
+                        others = add3(&others, &block);
+                        *rhs = subtract(*rhs, apply(&block, held.value(other)));
                     }
-                    let value = held.value(vertex);
-                    if value != [0.0; 3] {
-                        *rhs = subtract(*rhs, apply(&self.diagonal(vertex), value));
-                    }
+                    let own = self.diagonal(vertex, &others);
+                    *rhs = subtract(*rhs, apply(&own, held.value(vertex)));
                 }
                 if let Some(held) = held.get(vertex) {
                     *rhs = apply(&held.projector, *rhs);
@@ -258,6 +238,29 @@ impl Stiffness<'_> {
             }
         });
         rhs
+    }
+}
+
+/// Q_row block Q_column; of a block and its transpose, the one that `is_upper`
+/// decides for both, so that the matrix is symmetric to the last bit.
+#[inline]
+fn projected(
+    block: &Matrix3,
+    row: Option<&HeldVertex>,
+    column: Option<&HeldVertex>,
+    is_upper: bool,
+) -> Matrix3 {
+    if row.is_none() && column.is_none() {
+        return *block;
+    }
+    let times = |held: Option<&HeldVertex>, block: Matrix3| {
+        held.map_or(block, |held| multiply3(&held.projector, &block))
+    };
+    // (Q B)ᵀ = Bᵀ Q: two products from the left.
+    if is_upper {
+        transpose3(&times(column, transpose3(&times(row, *block))))
+    } else {
+        times(row, transpose3(&times(column, transpose3(block))))
     }
 }
 

@@ -1,18 +1,18 @@
 //! Geometry of one linear tet: volume and gradients of its shape functions.
 
-use crate::matrix3::{Matrix3, cross, dot3, length, scale, subtract};
-use octruss_mesh::reference_tet::{EDGES, FACES, six_volumes};
+use crate::matrix3::{Matrix3, add, cross, dot3, length, scale, subtract};
+use octruss_mesh::reference_tet::EDGES;
 
 /// Six times the volume, and for each vertex the gradient of its shape
 /// function times six volumes: the cross product of the edges of the opposite
 /// face, pointing inward.
 #[inline]
-pub(crate) fn scaled_gradients(corners: [[f64; 3]; 4]) -> (f64, [[f64; 3]; 4]) {
-    let gradients = FACES.map(|face| {
-        let [a, b, c] = face.map(|v| corners[v]);
-        cross(subtract(c, a), subtract(b, a))
-    });
-    (six_volumes(corners), gradients)
+pub(crate) fn scaled_gradients([o, a, b, c]: [[f64; 3]; 4]) -> (f64, [[f64; 3]; 4]) {
+    let (a, b, c) = (subtract(a, o), subtract(b, o), subtract(c, o));
+    let (at_a, at_b, at_c) = (cross(b, c), cross(c, a), cross(a, b));
+    // Shape functions sum to one.
+    let at_o = scale(-1.0, add(add(at_a, at_b), at_c));
+    (dot3(a, at_a), [at_o, at_a, at_b, at_c])
 }
 
 /// ∫ ∇φa · ∇φb over the tet for its six edges ab, in mesh units.

@@ -3,14 +3,19 @@
 /// Values that may wait on the stack at a time.
 pub(super) const STACK: usize = 32;
 
+/// A function of one value.
+pub(super) type Unary = fn(f64) -> f64;
+/// A function of two values.
+pub(super) type Binary = fn(f64, f64) -> f64;
+
 /// One step: takes its operands off the stack and puts its result there.
 #[derive(Clone, Copy)]
 pub(super) enum Op {
     Number(f64),
     /// x, y or z.
     Coordinate(usize),
-    Unary(fn(f64) -> f64),
-    Binary(fn(f64, f64) -> f64),
+    Unary(Unary),
+    Binary(Binary),
     /// Of condition, then and else.
     Select,
 }

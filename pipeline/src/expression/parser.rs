@@ -2,7 +2,7 @@
 //! binding.
 
 use super::Fault;
-use super::code::{Op, STACK};
+use super::code::{Binary, Op, STACK, Unary};
 use super::names::{CONSTANTS, COORDINATES, FUNCTIONS, values};
 use super::tokens::{Kind, Token};
 use crate::recipe::suggestion;
@@ -43,7 +43,7 @@ impl<'a> Parser<'a> {
     }
 
     fn comparison(&mut self) -> Parsed {
-        const SIGNS: [(&str, fn(f64, f64) -> f64); 6] = [
+        const SIGNS: [(&str, Binary); 6] = [
             ("<", |a, b| truth(a < b)),
             ("<=", |a, b| truth(a <= b)),
             (">", |a, b| truth(a > b)),
@@ -72,7 +72,7 @@ impl<'a> Parser<'a> {
     }
 
     fn sign(&mut self) -> Parsed {
-        const SIGNS: [(&str, fn(f64) -> f64); 3] =
+        const SIGNS: [(&str, Unary); 3] =
             [("-", |a| -a), ("+", |a| a), ("not", |a| truth(a == 0.0))];
         match self.take(&SIGNS) {
             Some(apply) => {
@@ -87,7 +87,7 @@ impl<'a> Parser<'a> {
 
     fn power(&mut self) -> Parsed {
         self.atom()?;
-        let sign: [(&str, fn(f64, f64) -> f64); 1] = [("^", f64::powf)];
+        let sign: [(&str, Binary); 1] = [("^", f64::powf)];
         if let Some(apply) = self.take(&sign) {
             // The exponent may have a sign, and further powers.
             self.nested(Self::sign)?;
@@ -154,11 +154,7 @@ impl<'a> Parser<'a> {
     }
 
     /// Operands of one strength, joined by operators from the left.
-    fn left_to_right(
-        &mut self,
-        operand: Level<'a>,
-        operators: &[(&str, fn(f64, f64) -> f64)],
-    ) -> Parsed {
+    fn left_to_right(&mut self, operand: Level<'a>, operators: &[(&str, Binary)]) -> Parsed {
         operand(self)?;
         while let Some(apply) = self.take(operators) {
             operand(self)?;

@@ -46,7 +46,7 @@ pub enum Stage {
     /// Refines the mesh.
     Subdivide(Subdivide),
     /// Solves a problem on the finest mesh.
-    Solve(Solve),
+    Solve(Box<Solve>),
     /// Writes meshes and fields for ParaView.
     Write(Write),
 }

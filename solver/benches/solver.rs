@@ -1,15 +1,19 @@
-//! Throughput of assembly, Galerkin product and V-cycle on the unit cube.
+//! Throughput of assembly, matrix and Galerkin products, set-up and V-cycle on the
+//! unit cube, for numbers and for 3 × 3 blocks.
 //!
 //! Least bytes that each must move, for n unknowns and m nonzeros:
 //! - assembly: 48 a tet (vertices, edges, region), 8 an edge for its sum, 32 a
 //!   vertex (point, load), 12 m for the matrix; of elasticity 72 an edge, 48 a
 //!   vertex, 76 m;
-//! - Galerkin product: 12 a nonzero of A, P, Pᵀ and the coarse matrix, and 24
-//!   for each of A P, which is written and read;
+//! - product: 12 m and 16 n in double, 8 m and 8 n in single precision; with blocks
+//!   76 m and 48 n, 40 m and 24 n;
+//! - Galerkin product: 12 a nonzero of A, P, Pᵀ and the coarse matrix, which is
+//!   written twice;
 //! - V(1,1) with Chebyshev of degree K in single precision: 2 K passes over
 //!   each matrix at 8 m, and over its vectors at 24 n; twice 8 a nonzero of P.
 
-use criterion::{Criterion, Throughput, criterion_group, criterion_main};
+use criterion::measurement::WallTime;
+use criterion::{BenchmarkGroup, Criterion, Throughput, criterion_group, criterion_main};
 use octruss_mesh::shapes::kuhn_cube;
 use octruss_mesh::{FeatureOptions, Hierarchy, Scheme, linear_matrix};
 use octruss_solver::*;
@@ -64,35 +68,53 @@ fn benchmarks(criterion: &mut Criterion) {
         bencher.iter(|| assemble_elasticity(mesh, topology, black_box(&problem)).unwrap());
     });
 
-    let transposed = transpose(&prolongations[0]);
-    let unknowns = system.matrix.rows() as u64;
-    group.throughput(Throughput::Elements(unknowns));
-    group.bench_function("Galerkin product (fine unknowns)", |bencher| {
-        bencher.iter(|| galerkin(&system.matrix, &prolongations[0], &transposed));
-    });
-
-    let options = MultigridOptions::default();
-    let mut multigrid = Multigrid::new(&system.matrix, prolongations, &options).unwrap();
-    let residual = noise(system.matrix.rows(), 1);
-    let mut correction = vec![0.0; residual.len()];
-    group.bench_function("V-cycle (unknowns)", |bencher| {
-        bencher.iter(|| multigrid.apply(&residual, &mut correction));
-    });
-    group.throughput(Throughput::Bytes(cycle_bytes(&multigrid)));
-    group.bench_function("V-cycle (least bytes)", |bencher| {
-        bencher.iter(|| multigrid.apply(&residual, &mut correction));
-    });
+    algebra("numbers", &mut group, &system.matrix, &prolongations);
+    // The pattern of elasticity on the same mesh, with I + ones times each number:
+    // what the numbers are does not change the speed.
+    let block = |v: &f64| [0, 1, 2].map(|i| [0, 1, 2].map(|j| if i == j { 2.0 * v } else { *v }));
+    let matrix = &system.matrix;
+    let offsets = (0..=matrix.rows()).map(|row| matrix.offset(row)).collect();
+    let values: Vec<[[f64; 3]; 3]> = matrix.values().iter().map(block).collect();
+    let blocks = Csr::new(matrix.columns(), offsets, matrix.indices().to_vec(), values).unwrap();
+    algebra("blocks", &mut group, &blocks, &prolongations);
     group.finish();
 }
 
-/// The least bytes of a V(1,1) cycle of degree 3: see the top of the file.
-fn cycle_bytes(multigrid: &Multigrid) -> u64 {
-    let level = |level: &LevelSummary| {
-        level.prolongation_nonzeros.map_or(0, |prolongation| {
-            6 * (8 * level.nonzeros + 24 * level.unknowns) + 16 * prolongation
-        })
-    };
-    multigrid.levels().iter().map(level).sum::<usize>() as u64
+/// Products, set-up and cycle for one kind of entries. What each kernel of the cycle
+/// moves and how fast is printed once, beside the copy bandwidth of the same run.
+fn algebra<E: Entry<Real = f64>>(
+    kind: &str,
+    group: &mut BenchmarkGroup<'_, WallTime>,
+    matrix: &Csr<E>,
+    prolongations: &[Csr<f64>],
+) {
+    let size = <E::Nodal as Nodal>::SIZE;
+    let numbers = noise(matrix.rows() * size, 1);
+    let mut x = vec![E::Nodal::default(); matrix.rows()];
+    E::Nodal::flat_mut(&mut x).copy_from_slice(&numbers);
+    let mut y = x.clone();
+    group.throughput(Throughput::Bytes((matrix.bytes() + 2 * size_of_val(&*x)) as u64));
+    group.bench_function(format!("{kind}: product (bytes)"), |bencher| {
+        bencher.iter(|| kernels::product(matrix, &x, &mut y));
+    });
+    group.throughput(Throughput::Elements((matrix.rows() * size) as u64));
+    let transposed = transpose(&prolongations[0]);
+    group.bench_function(format!("{kind}: Galerkin product (fine unknowns)"), |bencher| {
+        bencher.iter(|| galerkin(matrix, &prolongations[0], &transposed));
+    });
+    let options = MultigridOptions::default();
+    let build = || Multigrid::new(matrix, prolongations.to_vec(), &options).unwrap();
+    group.bench_function(format!("{kind}: set-up (unknowns)"), |bencher| bencher.iter(build));
+    let mut multigrid = build();
+    group.bench_function(format!("{kind}: V-cycle (unknowns)"), |bencher| {
+        bencher.iter(|| multigrid.apply(&x, &mut y));
+    });
+    let account = multigrid.account(11);
+    println!("{kind}: a V-cycle, kernel by kernel\n{account}\n");
+    group.throughput(Throughput::Bytes(account.cycle.bytes as u64));
+    group.bench_function(format!("{kind}: V-cycle (bytes)"), |bencher| {
+        bencher.iter(|| multigrid.apply(&x, &mut y));
+    });
 }
 
 criterion_group!(benches, benchmarks);

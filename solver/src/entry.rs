@@ -120,7 +120,7 @@ fn inverse_spd(n: usize, at: impl Fn(usize, usize) -> f64) -> Result<[[f64; 3]; 
     for k in 0..n {
         let pivot = a[k][k];
         // A pivot that is rounding alone says as little as a negative one.
-        if !(pivot > 8.0 * f64::EPSILON * at(k, k).abs()) {
+        if pivot.is_nan() || pivot <= 8.0 * f64::EPSILON * at(k, k).abs() {
             return Err(pivot);
         }
         for j in 0..n {

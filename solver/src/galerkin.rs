@@ -67,15 +67,15 @@ fn add_rows<E: Entry<Real = f64>>(
 ) {
     for (&k, &weight) in rows.iter().zip(weights) {
         let (columns, values) = a.row(k as usize);
-        let projector = fine.get(k as usize);
         for (&j, &value) in columns.iter().zip(values) {
-            // Off the diagonal a constrained matrix has free directions only.
-            let value = match projector {
-                Some(projector) if j == k => projector.times(value).times(*projector),
-                _ => value,
-            };
             let sum = sums.at(j);
             *sum = sum.add_scaled(weight, value);
+        }
+        // Off the diagonal a constrained matrix has free directions only.
+        if let (Some(q), Some(value)) = (fine.get(k as usize), a.get(k as usize, k as usize)) {
+            let without = q.times(value).times(*q).add_scaled(-1.0, value);
+            let sum = sums.at(k);
+            *sum = sum.add_scaled(weight, without);
         }
     }
 }

@@ -87,6 +87,68 @@ proptest! {
     }
 }
 
+type Block = [[f64; 3]; 3];
+
+/// The 3 × 3 blocks of a dense matrix, those that are zero left out.
+fn blocks(dense: &Dense) -> Csr<Block> {
+    let n = dense.len() / 3;
+    let (mut offsets, mut indices, mut values) = (vec![0], Vec::new(), Vec::new());
+    for i in 0..n {
+        for j in 0..n {
+            let block = [0, 1, 2].map(|r| [0, 1, 2].map(|c| dense[3 * i + r][3 * j + c]));
+            if block != [[0.0; 3]; 3] {
+                indices.push(j as u32);
+                values.push(block);
+            }
+        }
+        offsets.push(indices.len());
+    }
+    Csr::new(n, offsets, indices, values).unwrap()
+}
+
+proptest! {
+    #[test]
+    fn blocks_agree_with_their_numbers(
+        (n, m, a, p, x) in (1usize..6, 1usize..4).prop_flat_map(|(n, m)| {
+            let x = prop::collection::vec((-9i32..10).prop_map(f64::from), 3 * n);
+            (Just(n), Just(m), dense(3 * n, 3 * n), dense(n, m), x)
+        })
+    ) {
+        let mut a = a;
+        for i in 0..3 * n {
+            for j in 0..i {
+                a[i][j] = a[j][i];
+            }
+        }
+        let matrix = blocks(&a);
+        let x_blocks: Vec<[f64; 3]> = x.as_chunks::<3>().0.to_vec();
+        let mut y = vec![[0.0; 3]; n];
+        product(&matrix, &x_blocks, &mut y);
+        let expected: Vec<f64> =
+            a.iter().map(|row| row.iter().zip(&x).map(|(a, x)| a * x).sum()).collect();
+        prop_assert_eq!(y.as_flattened(), &expected);
+        let mut single = vec![[0f32; 3]; n];
+        let x_single: Vec<[f32; 3]> = x_blocks.iter().map(|x| x.map(|v| v as f32)).collect();
+        product(&matrix.cast::<[[f32; 3]; 3]>(), &x_single, &mut single);
+        prop_assert!(single.iter().zip(&y).all(|(s, y)| s.map(f64::from) == *y));
+
+        // P acts on three components alike.
+        let transfer = sparse(&p, m);
+        let coarse = galerkin(&matrix, &transfer, &transpose(&transfer));
+        prop_assert_eq!(transpose(&coarse), coarse.clone());
+        let wide = |i: usize, j: usize| if i % 3 == j % 3 { p[i / 3][j / 3] } else { 0.0 };
+        let wide: Dense = (0..3 * n).map(|i| (0..3 * m).map(|j| wide(i, j)).collect()).collect();
+        let a_p = dense_product(&a, &wide, 3 * m);
+        let expected = dense_product(&dense_transpose(&wide, 3 * m), &a_p, 3 * m);
+        for (i, row) in expected.iter().enumerate() {
+            for (j, value) in row.iter().enumerate() {
+                let block = coarse.get(i / 3, j / 3).unwrap_or_default();
+                prop_assert_eq!(block[i % 3][j % 3], *value);
+            }
+        }
+    }
+}
+
 /// A banded matrix long enough for many chunks.
 fn banded(n: usize) -> Csr<f64> {
     let weights = noise(9 * n, 9);

@@ -5,6 +5,7 @@ use toml::Spanned;
 use super::nearest::suggestion;
 use super::per_region::PerRegion;
 use super::value::Value;
+use super::value_or::ValueOr;
 
 /// An isotropic elastic material.
 #[derive(Debug, Clone, PartialEq, serde::Deserialize)]
@@ -19,15 +20,6 @@ pub struct Material {
     pub density: Value,
 }
 
-/// An entry of a table that is a material, or one of materials by region.
-#[derive(Debug, Clone, PartialEq)]
-pub enum MaterialOrNumber {
-    /// Of a table of materials.
-    Material(Material),
-    /// Of a material.
-    Number(Value),
-}
-
 impl Material {
     const KEYS: [&'static str; 3] = ["young", "poisson", "density"];
 
@@ -37,13 +29,13 @@ impl Material {
 
     /// A table of materials, or of the numbers of one.
     pub(super) fn one_or_by_region(
-        table: Vec<(Spanned<String>, MaterialOrNumber)>,
+        table: Vec<(Spanned<String>, ValueOr<Self>)>,
     ) -> Result<PerRegion<Self>, String> {
         let (mut named, mut numbers) = (Vec::new(), Vec::new());
         for (name, entry) in table {
             match entry {
-                MaterialOrNumber::Material(material) => named.push((name, material)),
-                MaterialOrNumber::Number(number) => numbers.push((name.into_inner(), number)),
+                ValueOr::Other(material) => named.push((name, material)),
+                ValueOr::One(number) => numbers.push((name.into_inner(), number)),
             }
         }
         if let (Some((region, _)), Some((key, _))) = (named.first(), numbers.first()) {

@@ -19,6 +19,7 @@ mod parse;
 mod per_region;
 mod source;
 mod value;
+mod value_or;
 
 use std::path::{Path, PathBuf};
 
@@ -27,9 +28,10 @@ pub use error::{ConfigError, Place};
 pub use expect::{Bounds, Expectation, Outcome, compare};
 pub use material::Material;
 pub use nearest::suggestion;
-pub use per_region::PerRegion;
+pub use per_region::{PerRegion, Regional};
 pub use source::Source;
-pub use value::{Degrees, Fraction, Positive, Value, ValueOrVector, VectorValue};
+pub use value::{Degrees, Fraction, Positive, Value, VectorValue};
+pub use value_or::{ValueOr, ValueOrVector};
 
 use crate::stages::Stage;
 

@@ -3,14 +3,15 @@
 use std::fmt;
 use std::marker::PhantomData;
 
-use serde::de::value::{MapAccessDeserializer, SeqAccessDeserializer};
+use serde::de::value::SeqAccessDeserializer;
 use serde::de::{
     Deserialize, Deserializer, Error, IntoDeserializer, MapAccess, SeqAccess, Visitor,
 };
 use toml::Spanned;
 
-use super::material::{Material, MaterialOrNumber};
+use super::material::Material;
 use super::value::{Value, VectorValue};
+use super::value_or::ValueOr;
 
 /// One value for all regions, or one for each that is named.
 #[derive(Debug, Clone, PartialEq)]
@@ -58,10 +59,8 @@ impl Regional for VectorValue {
 
 impl Regional for Material {
     const WHAT: &'static str = "a table with `young`, `poisson` and perhaps `density`";
-    type Entry = MaterialOrNumber;
-    fn from_table(
-        table: Vec<(Spanned<String>, MaterialOrNumber)>,
-    ) -> Result<PerRegion<Self>, String> {
+    type Entry = ValueOr<Self>;
+    fn from_table(table: Vec<(Spanned<String>, ValueOr<Self>)>) -> Result<PerRegion<Self>, String> {
         Material::one_or_by_region(table)
     }
 }
@@ -103,37 +102,5 @@ impl<'de, T: Regional + Deserialize<'de>> Visitor<'de> for PerRegionVisitor<T> {
             table.push(entry);
         }
         T::from_table(table).map_err(A::Error::custom)
-    }
-}
-
-impl<'de> Deserialize<'de> for MaterialOrNumber {
-    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        deserializer.deserialize_any(EntryVisitor)
-    }
-}
-
-struct EntryVisitor;
-
-impl<'de> Visitor<'de> for EntryVisitor {
-    type Value = MaterialOrNumber;
-
-    fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{}, or {}", Material::WHAT, Value::WHAT)
-    }
-
-    fn visit_f64<E: Error>(self, number: f64) -> Result<MaterialOrNumber, E> {
-        Value::deserialize(number.into_deserializer()).map(MaterialOrNumber::Number)
-    }
-
-    fn visit_i64<E: Error>(self, number: i64) -> Result<MaterialOrNumber, E> {
-        Value::deserialize(number.into_deserializer()).map(MaterialOrNumber::Number)
-    }
-
-    fn visit_str<E: Error>(self, text: &str) -> Result<MaterialOrNumber, E> {
-        Value::deserialize(text.into_deserializer()).map(MaterialOrNumber::Number)
-    }
-
-    fn visit_map<A: MapAccess<'de>>(self, map: A) -> Result<MaterialOrNumber, A::Error> {
-        Material::deserialize(MapAccessDeserializer::new(map)).map(MaterialOrNumber::Material)
     }
 }

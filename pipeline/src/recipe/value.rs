@@ -3,8 +3,7 @@
 use std::fmt;
 
 use octruss_solver::{Scalar, Vector};
-use serde::de::value::SeqAccessDeserializer;
-use serde::de::{Deserialize, Deserializer, Error, SeqAccess, Visitor};
+use serde::de::{Deserialize, Deserializer, Error, Visitor};
 
 use crate::expression::{Expression, ExpressionError};
 
@@ -21,15 +20,6 @@ pub enum Value {
 #[derive(Debug, Clone, PartialEq, serde::Deserialize)]
 #[serde(try_from = "Vec<Value>")]
 pub struct VectorValue(pub [Value; 3]);
-
-/// One value or a vector.
-#[derive(Debug, Clone, PartialEq)]
-pub enum ValueOrVector {
-    /// One value.
-    One(Value),
-    /// Three components.
-    Three(VectorValue),
-}
 
 /// A finite number above zero.
 #[derive(Debug, Clone, Copy, PartialEq, serde::Deserialize)]
@@ -124,7 +114,7 @@ impl<'de> Deserialize<'de> for Value {
     }
 }
 
-struct ValueVisitor;
+pub(super) struct ValueVisitor;
 
 impl Visitor<'_> for ValueVisitor {
     type Value = Value;
@@ -146,38 +136,5 @@ impl Visitor<'_> for ValueVisitor {
 
     fn visit_str<E: Error>(self, text: &str) -> Result<Value, E> {
         Value::from_text(text).map_err(E::custom)
-    }
-}
-
-impl<'de> Deserialize<'de> for ValueOrVector {
-    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        deserializer.deserialize_any(ValueOrVectorVisitor)
-    }
-}
-
-struct ValueOrVectorVisitor;
-
-impl<'de> Visitor<'de> for ValueOrVectorVisitor {
-    type Value = ValueOrVector;
-
-    fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str("a number, an expression in x, y and z, or a list of three")
-    }
-
-    fn visit_f64<E: Error>(self, number: f64) -> Result<ValueOrVector, E> {
-        ValueVisitor.visit_f64(number).map(ValueOrVector::One)
-    }
-
-    fn visit_i64<E: Error>(self, number: i64) -> Result<ValueOrVector, E> {
-        ValueVisitor.visit_i64(number).map(ValueOrVector::One)
-    }
-
-    fn visit_str<E: Error>(self, text: &str) -> Result<ValueOrVector, E> {
-        ValueVisitor.visit_str(text).map(ValueOrVector::One)
-    }
-
-    fn visit_seq<A: SeqAccess<'de>>(self, list: A) -> Result<ValueOrVector, A::Error> {
-        let three = VectorValue::deserialize(SeqAccessDeserializer::new(list));
-        three.map(ValueOrVector::Three)
     }
 }

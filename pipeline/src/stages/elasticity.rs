@@ -135,7 +135,7 @@ fn materials(
 fn held(fixed: &Fixed) -> Held {
     let Fixed { value, x, y, z, normal, .. } = fixed;
     match (value, normal) {
-        (Some(ValueOrVector::Three(value)), _) => Held::Components(value.to_vector().map(Some)),
+        (Some(ValueOrVector::Other(value)), _) => Held::Components(value.to_vector().map(Some)),
         (_, Some(normal)) => Held::Normal(normal.to_scalar()),
         _ => Held::Components([x, y, z].map(|value| value.as_ref().map(recipe::Value::to_scalar))),
     }
@@ -144,6 +144,6 @@ fn held(fixed: &Fixed) -> Held {
 fn stiffness(given: &ValueOrVector) -> Stiffness {
     match given {
         ValueOrVector::One(value) => Stiffness::Normal(value.to_scalar()),
-        ValueOrVector::Three(vector) => Stiffness::Axes(vector.to_vector()),
+        ValueOrVector::Other(vector) => Stiffness::Axes(vector.to_vector()),
     }
 }

@@ -13,12 +13,11 @@ use toml::Spanned;
 use super::body::BodyFigures;
 use super::fixed::Fixed;
 use super::multigrid::{Discrete, SolveFigures, solve_with};
+use super::on_surface::{OnSurface, Robin, Springs, VectorOnSurface};
 use super::{Context, elasticity, poisson};
 use crate::amount::short;
 use crate::error::Error;
-use crate::recipe::{
-    Material, Named, PerRegion, Positive, SchemeName, Value, ValueOrVector, VectorValue,
-};
+use crate::recipe::{Material, Named, PerRegion, Positive, SchemeName, Value, VectorValue};
 use crate::state::State;
 
 /// Solves a problem on the finest mesh by conjugate gradients with a multigrid
@@ -77,48 +76,6 @@ pub enum Problem {
     Poisson,
     /// −div σ(u) = f, linear and isotropic.
     Elasticity,
-}
-
-/// A number or expression on a named surface.
-#[derive(Debug, Clone, PartialEq, Deserialize)]
-#[serde(deny_unknown_fields, rename_all = "kebab-case")]
-pub struct OnSurface {
-    /// The surface group.
-    pub surface: Spanned<String>,
-    /// The value there.
-    pub value: Value,
-}
-
-/// A vector on a named surface.
-#[derive(Debug, Clone, PartialEq, Deserialize)]
-#[serde(deny_unknown_fields, rename_all = "kebab-case")]
-pub struct VectorOnSurface {
-    /// The surface group.
-    pub surface: Spanned<String>,
-    /// The vector there.
-    pub value: VectorValue,
-}
-
-/// Exchange with a surrounding on a named surface.
-#[derive(Debug, Clone, PartialEq, Deserialize)]
-#[serde(deny_unknown_fields, rename_all = "kebab-case")]
-pub struct Robin {
-    /// The surface group.
-    pub surface: Spanned<String>,
-    /// At least 0, per unit of area.
-    pub coefficient: Value,
-    /// The value of the surrounding.
-    pub value: Value,
-}
-
-/// An elastic foundation of a named surface.
-#[derive(Debug, Clone, PartialEq, Deserialize)]
-#[serde(deny_unknown_fields, rename_all = "kebab-case")]
-pub struct Springs {
-    /// The surface group.
-    pub surface: Spanned<String>,
-    /// One value along the normal alone, or three along the axes.
-    pub stiffness: ValueOrVector,
 }
 
 /// What solving a problem brings.

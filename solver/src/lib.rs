@@ -96,6 +96,7 @@ mod symmetric;
 mod toy;
 mod transfer;
 mod transpose;
+mod two_parents;
 
 pub use account::{Account, KernelTraffic};
 pub use assemble::{System, assemble};

@@ -50,6 +50,11 @@ impl<E: Entry<Real = f64>> Projectors<E> {
         Ok(Self { list, places })
     }
 
+    /// Whether no row is constrained.
+    pub(crate) fn is_empty(&self) -> bool {
+        self.list.is_empty()
+    }
+
     /// The projector of a row, unless that is the identity.
     #[inline]
     pub(crate) fn get(&self, row: usize) -> Option<&E> {

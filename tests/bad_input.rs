@@ -42,7 +42,7 @@ const fn spoilt(change: [&'static str; 2], says: &'static str, code: i32) -> Spo
     Spoilt { change, says, code }
 }
 
-const TABLE: [Spoilt; 29] = [
+const TABLE: [Spoilt; 34] = [
     spoilt(
         ["levels", "levles"],
         "9:1: unknown key `levles` in stage `subdivide`; did you mean `levels`? (valid: ",
@@ -121,10 +121,31 @@ const TABLE: [Spoilt; 29] = [
         2,
     ),
     spoilt(
-        ["value = 0", "value = \"sin(x)\""],
-        "15:36: `value` in stage `solve`: found the string \"sin(x)\": expressions are not supported, give a number",
+        ["value = 0", "value = \"sinn(x)\""],
+        "15:36: `value` in stage `solve`: expression \"sinn(x)\", column 1: unknown function `sinn`; did you mean `sin`? (valid: sin, cos, ",
         2,
     ),
+    spoilt(
+        ["value = 0", "value = \"1/0\""],
+        "15:36: `value` in stage `solve`: expected a finite number, but \"1/0\" is inf",
+        2,
+    ),
+    spoilt(
+        ["value = 1 }]", "value = \"1/(x - x)\" }]"],
+        "stage `solve`, assembly: the flux of surface 2 is `1/(x - x)` = inf at (1, ",
+        1,
+    ),
+    spoilt(
+        ["value = 0", "value = [0, 0, 0]"],
+        "15:10: stage `solve`: an entry of `fixed` gives one `value`: x, y, z, normal and lists",
+        2,
+    ),
+    spoilt(
+        ["tolerance = 1e-8", "gravity = [0, 0, -9.81]"],
+        "18:1: stage `solve`: `gravity` belongs to problem = \"elasticity\", but this stage solves \"poisson\" (keys of its own: coefficient, source, flux, robin)",
+        2,
+    ),
+    spoilt(["flux =", "robin ="], "16:10: missing key `coefficient` in stage `solve`", 2),
     spoilt(
         ["default = 1", "default = inf"],
         "14:27: `default` in stage `solve`: expected a finite number, found inf",
@@ -137,7 +158,7 @@ const TABLE: [Spoilt; 29] = [
     ),
     spoilt(
         ["tolerance = 1e-8", "tolerance = 1e-8\nproblem = \"poison\""],
-        "19:11: unknown value `poison` in stage `solve`; did you mean `poisson`? (valid: poisson)",
+        "19:11: unknown value `poison` in stage `solve`; did you mean `poisson`? (valid: poisson, elasticity)",
         2,
     ),
     spoilt(

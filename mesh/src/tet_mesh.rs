@@ -73,11 +73,13 @@ impl TetMesh {
     }
 
     /// The positions of a tet's four vertices.
+    #[inline]
     pub fn corners(&self, tet: usize) -> [[f64; 3]; 4] {
         corners(&self.raw.points, self.raw.tets[tet])
     }
 
     /// The volume of one tet, in cubed mesh units; positive.
+    #[inline]
     pub fn volume(&self, tet: usize) -> f64 {
         six_volumes(self.corners(tet)) / 6.0
     }

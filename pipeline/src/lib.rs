@@ -28,6 +28,7 @@
 pub mod amount;
 pub mod describe;
 pub mod error;
+pub mod expression;
 pub mod memory;
 pub mod output;
 pub mod progress;

@@ -10,7 +10,7 @@ use crate::csr::Csr;
 use crate::dofs::Dofs;
 use crate::element::{centroid, edge_stiffness};
 use crate::error::{Error, check_finite, check_size};
-use crate::load::load_vector;
+use crate::poisson_load::{add_robin, blame_load, load_vector};
 use crate::problem::Poisson;
 use crate::rows::build_rows;
 use crate::scatter::Scatter;
@@ -43,10 +43,11 @@ impl System {
 ///
 /// # Errors
 /// [`Error::UnknownSurface`], [`Error::DetachedSurface`] and
-/// [`Error::UnknownRegion`] for data without a place, [`Error::Coefficient`], [`Error::BoundaryValue`] and
-/// [`Error::NotFinite`] for senseless numbers, [`Error::NothingFixed`] if a
-/// connected part of the mesh has no prescribed value, [`Error::Size`] if the
-/// topology belongs to another mesh.
+/// [`Error::UnknownRegion`] for data without a place; [`Error::Coefficient`],
+/// [`Error::SurfaceCoefficient`], [`Error::BoundaryValue`], [`Error::Load`] and
+/// [`Error::NotFinite`] for senseless numbers; [`Error::NothingFixed`] if a
+/// connected part of the mesh has neither a prescribed value nor a Robin
+/// condition; [`Error::Size`] if the topology belongs to another mesh.
 pub fn assemble(mesh: &TetMesh, topology: &Topology, problem: &Poisson) -> Result<System, Error> {
     let (tets, edges) = (mesh.tets().len(), topology.edges());
     check_size("tets of the topology", topology.tet_edges().len(), tets)?;
@@ -54,15 +55,19 @@ pub fn assemble(mesh: &TetMesh, topology: &Topology, problem: &Poisson) -> Resul
     problem.coefficient.check(mesh)?;
     let dofs = Dofs::new(mesh, &problem.fixed)?;
     let scatter = Scatter::new(topology.tet_edges(), edges.len());
-    dofs.check_anchored(mesh)?;
 
-    let couplings = edge_couplings(mesh, &scatter, problem)?;
+    let mut couplings = edge_couplings(mesh, &scatter, problem)?;
+    let row_sums = add_robin(mesh, topology, &problem.robin, &mut couplings)?;
+    dofs.check_anchored(mesh, |vertex| row_sums.get(vertex).is_some_and(|[sum]| *sum > 0.0))?;
+    let (couplings, row_sums) = (couplings.as_flattened(), row_sums.as_flattened());
     let at_vertices = VertexEdges::new(topology);
     let incidence = (edges, &at_vertices);
-    let matrix = stiffness_matrix(&dofs, incidence, &couplings);
-    let rhs = lifted_load(&dofs, incidence, &couplings, &load_vector(mesh, topology, problem)?);
+    let matrix = stiffness_matrix(&dofs, incidence, couplings, row_sums);
+    let rhs = lifted_load(&dofs, incidence, couplings, &load_vector(mesh, topology, problem)?);
     check_finite("stiffness matrix", matrix.values())?;
-    check_finite("load vector", &rhs)?;
+    if let Err(error) = check_finite("load vector", &rhs) {
+        return Err(blame_load(mesh, problem).err().unwrap_or(error));
+    }
     Ok(System { matrix, rhs, dofs })
 }
 
@@ -71,7 +76,7 @@ fn edge_couplings(
     mesh: &TetMesh,
     scatter: &Scatter<6>,
     problem: &Poisson,
-) -> Result<Vec<f64>, Error> {
+) -> Result<Vec<[f64; 1]>, Error> {
     let coefficient = |tet: usize| {
         let k = problem.coefficient.of(mesh.regions()[tet]);
         k.at(centroid(mesh.corners(tet)))
@@ -82,23 +87,25 @@ fn edge_couplings(
         if !(k > 0.0 && k.is_finite()) {
             first_bad.fetch_min(tet, Relaxed);
         }
-        edge_stiffness(mesh.corners(tet)).map(|value| k * value)
+        edge_stiffness(mesh.corners(tet)).map(|value| [k * value])
     });
     match first_bad.into_inner() {
         usize::MAX => Ok(couplings),
         tet => {
             let region = mesh.regions()[tet];
-            Err(Error::Coefficient { tet, region, value: coefficient(tet) })
+            let told = problem.coefficient.of(region).told_at(centroid(mesh.corners(tet)));
+            Err(Error::Coefficient { what: "coefficient", tet, region, told, expected: "positive" })
         }
     }
 }
 
-/// The row of each unknown: couplings with free neighbours, and the diagonal,
-/// minus the sum of all couplings of the vertex.
+/// The row of each unknown: couplings with free neighbours, and the diagonal:
+/// the sum of the row, 0 where `row_sums` is empty, minus all couplings.
 fn stiffness_matrix(
     dofs: &Dofs,
     (edges, at_vertices): (&[[u32; 2]], &VertexEdges),
     couplings: &[f64],
+    row_sums: &[f64],
 ) -> Csr<f64> {
     let neighbours = |vertex: u32| {
         let at_vertex = at_vertices.of(vertex as usize).iter();
@@ -112,7 +119,8 @@ fn stiffness_matrix(
         },
         |row, indices, values| {
             let vertex = dofs.free()[row];
-            let diagonal = -neighbours(vertex).map(|(_, coupling)| coupling).sum::<f64>();
+            let row_sum = row_sums.get(vertex as usize).unwrap_or(&0.0);
+            let diagonal = row_sum - neighbours(vertex).map(|(_, coupling)| coupling).sum::<f64>();
             let free = neighbours(vertex)
                 .filter_map(|(other, coupling)| dofs.unknown(other).map(|j| (j, coupling)));
             // Other ends ascend; the row itself goes before the first larger one.

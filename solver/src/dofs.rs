@@ -1,7 +1,8 @@
 //! Which vertices carry an unknown and which a prescribed value.
 
 use crate::error::{Error, check_size};
-use crate::problem::{Scalar, check_surface};
+use crate::scalar::Scalar;
+use crate::surface::{check_surface, triangles_of};
 use octruss_mesh::TetMesh;
 use octruss_mesh::components::part_of_vertices;
 
@@ -37,16 +38,27 @@ impl Dofs {
         let mut is_fixed = vec![false; mesh.points().len()];
         for (surface, value) in fixed {
             check_surface(mesh, *surface)?;
-            for vertex in surface_vertices(mesh, *surface) {
-                let at = vertex as usize;
-                values[at] = value.at(mesh.points()[at]);
+            for vertex in triangles_of(mesh, *surface).flatten() {
+                let (at, position) = (vertex as usize, mesh.points()[vertex as usize]);
+                values[at] = value.at(position);
                 is_fixed[at] = true;
                 if !values[at].is_finite() {
-                    let (surface, value) = (*surface, values[at]);
-                    return Err(Error::BoundaryValue { surface, vertex, value });
+                    let (surface, told) = (*surface, value.told_at(position));
+                    return Err(Error::BoundaryValue { surface, vertex, told });
                 }
             }
         }
+        Ok(Self::numbered(mesh, &is_fixed, values))
+    }
+
+    /// The unknowns of all vertices of tets but some, whose values are 0.
+    pub(crate) fn without(mesh: &TetMesh, fixed: impl Iterator<Item = u32>) -> Self {
+        let mut is_fixed = vec![false; mesh.points().len()];
+        fixed.for_each(|vertex| is_fixed[vertex as usize] = true);
+        Self::numbered(mesh, &is_fixed, vec![0.0; mesh.points().len()])
+    }
+
+    fn numbered(mesh: &TetMesh, is_fixed: &[bool], values: Vec<f64>) -> Self {
         let in_tet = vertices_of_tets(mesh);
         let is_free = |v: &u32| in_tet[*v as usize] && !is_fixed[*v as usize];
         let free: Vec<u32> = (0..mesh.points().len() as u32).filter(is_free).collect();
@@ -55,7 +67,7 @@ impl Dofs {
             unknowns[vertex as usize] = unknown as u32;
         }
         let fixed_count = in_tet.iter().filter(|used| **used).count() - free.len();
-        Ok(Self { free, unknowns, values, fixed_count })
+        Self { free, unknowns, values, fixed_count }
     }
 
     /// The number of unknowns.
@@ -110,12 +122,17 @@ impl Dofs {
         Ok(all)
     }
 
-    /// Checks that every part of the mesh has a fixed vertex or no unknown at all.
-    pub(crate) fn check_anchored(&self, mesh: &TetMesh) -> Result<(), Error> {
+    /// Checks that every part of the mesh has a vertex that is fixed or tied to a
+    /// given value, or no unknown at all.
+    pub(crate) fn check_anchored(
+        &self,
+        mesh: &TetMesh,
+        is_tied: impl Fn(usize) -> bool,
+    ) -> Result<(), Error> {
         let parts = part_of_vertices(mesh.raw());
         let mut anchored = vec![false; self.vertices()];
         for vertex in 0..self.vertices() as u32 {
-            if self.unknown(vertex).is_none() {
+            if self.unknown(vertex).is_none() || is_tied(vertex as usize) {
                 anchored[parts[vertex as usize] as usize] = true;
             }
         }
@@ -134,9 +151,4 @@ pub(crate) fn vertices_of_tets(mesh: &TetMesh) -> Vec<bool> {
         in_tet[vertex as usize] = true;
     }
     in_tet
-}
-
-/// The vertices of the triangles of a surface, as often as they are used.
-pub(crate) fn surface_vertices(mesh: &TetMesh, surface: i32) -> impl Iterator<Item = u32> {
-    mesh.triangles().iter().filter(move |(_, id)| *id == surface).flat_map(|(triangle, _)| triangle)
 }

@@ -2,6 +2,7 @@
 
 use crate::chunks::map_ranges;
 use crate::report::Unfinished;
+use crate::rigid_modes::RigidMode;
 
 /// Why a problem could not be assembled or a system not be solved.
 #[derive(Debug, thiserror::Error)]
@@ -51,6 +52,17 @@ pub enum Error {
         /// How many of its triangles stand free.
         detached: usize,
     },
+    /// Something that needs an outward normal is given on a surface inside the body.
+    #[error(
+        "{inner} triangles of surface {id} have tets on both sides, so there is no outward \
+         normal; give components, or a surface of the boundary"
+    )]
+    InnerSurface {
+        /// The surface.
+        id: i32,
+        /// How many of its triangles are inside.
+        inner: usize,
+    },
     /// A coefficient or source names a region without tets.
     #[error("no tet belongs to region {id}; regions of this mesh: {known:?}")]
     UnknownRegion {
@@ -59,25 +71,51 @@ pub enum Error {
         /// The ids in use, ascending.
         known: Vec<i32>,
     },
-    /// A coefficient is zero, negative, infinite or not a number.
-    #[error("the coefficient of tet {tet} in region {region} is {value}; it must be positive")]
+    /// A coefficient of a tet is out of its range, infinite or not a number.
+    #[error("the {what} of region {region} is {told} (tet {tet}); it must be {expected}")]
     Coefficient {
+        /// Which coefficient.
+        what: &'static str,
         /// The smallest tet number at fault.
         tet: usize,
         /// Its region.
         region: i32,
-        /// The value found.
-        value: f64,
+        /// What was found: the value, with expression and position if it has them.
+        told: String,
+        /// What it must be.
+        expected: &'static str,
+    },
+    /// A coefficient of a surface is out of its range, infinite or not a number.
+    #[error("the {what} of surface {surface} is {told}; it must be {expected}")]
+    SurfaceCoefficient {
+        /// Which coefficient.
+        what: &'static str,
+        /// The surface.
+        surface: i32,
+        /// What was found: the value, with expression and position if it has them.
+        told: String,
+        /// What it must be.
+        expected: &'static str,
+    },
+    /// A source or load is infinite or not a number somewhere.
+    #[error("the {what} of {place} is {told}; it must be finite everywhere")]
+    Load {
+        /// Which load.
+        what: &'static str,
+        /// The region or surface.
+        place: String,
+        /// What was found: the value, with expression and position if it has them.
+        told: String,
     },
     /// A prescribed boundary value is infinite or not a number.
-    #[error("the value of surface {surface} at vertex {vertex} is {value}; it must be finite")]
+    #[error("the value of surface {surface} at vertex {vertex} is {told}; it must be finite")]
     BoundaryValue {
         /// The surface that prescribes it.
         surface: i32,
         /// The first vertex at fault.
         vertex: u32,
-        /// The value found.
-        value: f64,
+        /// What was found: the value, with expression and position if it has them.
+        told: String,
     },
     /// A part of the mesh has no vertex with a prescribed value, so that the
     /// solution there is determined up to a constant only.
@@ -90,6 +128,21 @@ pub enum Error {
         vertices: usize,
         /// Its smallest vertex number.
         example: u32,
+    },
+    /// A part of an elastic body can move without deforming.
+    #[error(
+        "a connected part of the mesh with {vertices} vertices, among them vertex {example}, can \
+         still move as a rigid body: {}; hold more of it, with `fixed` or `springs`, or with \
+         planes of symmetry where loads are symmetric",
+        list(.modes)
+    )]
+    RigidModes {
+        /// The size of the part.
+        vertices: usize,
+        /// Its smallest vertex number.
+        example: u32,
+        /// The independent motions that remain, at most six.
+        modes: Vec<RigidMode>,
     },
     /// A matrix or vector holds an infinity or a NaN.
     #[error("{what}, entry {index} is {value}; all numbers must be finite")]
@@ -169,6 +222,10 @@ pub enum Error {
         .0.report.relative_residual, .0.report.iterations
     )]
     Stopped(Box<Unfinished>),
+}
+
+fn list(modes: &[RigidMode]) -> String {
+    modes.iter().map(RigidMode::to_string).collect::<Vec<_>>().join(", ")
 }
 
 /// Checks that all of `values` are finite.

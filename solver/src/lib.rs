@@ -2,7 +2,7 @@
 //! multigrid.
 //!
 //! ```text
-//! TetMesh, Poisson ──assemble──▶ System ─┐
+//! TetMesh, Poisson ──assemble──▶ System ─┐          (Elasticity ──assemble_elasticity──▶ VectorSystem)
 //! SubdivisionMatrix ──restrict_to_free──▶│──Multigrid──▶ conjugate_gradients ──▶ solution, SolveReport
 //! ```
 //!
@@ -36,30 +36,41 @@
 mod account;
 mod accumulator;
 mod assemble;
+mod assemble_elasticity;
+mod blame;
 mod blocks;
+mod by_region;
 mod cg;
 mod chebyshev;
 mod chunks;
 mod coarse;
 mod colouring;
+mod constraints;
 mod csr;
 mod cycle;
 mod diagonal;
 mod dofs;
 mod dot;
+mod elasticity;
+mod elasticity_load;
 mod element;
 mod entry;
 mod error;
+mod forces;
+mod foundation;
 mod galerkin;
 mod gauss_seidel;
+mod held_vertex;
 pub mod kernels;
 mod level;
 mod load;
+mod matrix3;
 mod multigrid;
 mod multiply;
 mod norms;
 mod options;
 mod pattern;
+mod poisson_load;
 mod preconditioner;
 mod problem;
 mod projectors;
@@ -67,14 +78,19 @@ mod quadratic;
 pub mod quadrature;
 mod random;
 mod real;
+mod recovery;
 mod report;
+mod rigid_modes;
 mod rows;
 mod run;
+mod scalar;
 mod scatter;
 mod smoothing;
 mod spectrum;
 mod stationary;
+mod stress;
 mod summary;
+mod surface;
 mod symmetric;
 #[cfg(test)]
 mod toy;
@@ -84,25 +100,35 @@ mod two_parents;
 
 pub use account::{Account, KernelTraffic};
 pub use assemble::{System, assemble};
+pub use assemble_elasticity::{VectorSystem, assemble_elasticity};
+pub use by_region::ByRegion;
 pub use cg::conjugate_gradients;
+pub use constraints::Constraints;
 pub use csr::Csr;
 pub use dofs::Dofs;
 pub use dot::{dot, norm};
+pub use elasticity::{Elasticity, Held, Material, Stiffness, Support, Vector, vector};
 pub use entry::{Acts, Entry, Nodal};
 pub use error::Error;
+pub use forces::Forces;
 pub use galerkin::galerkin;
+pub use held_vertex::HeldVertex;
 pub use multigrid::Multigrid;
 pub use multiply::multiply;
 pub use norms::{h1_seminorm_error, l2_error};
 pub use options::{CycleShape, DiagonalKind, MultigridOptions, Precision, Smoother};
 pub use preconditioner::{Identity, Preconditioner};
-pub use problem::{ByRegion, Poisson, Scalar};
+pub use problem::{Poisson, Robin};
 pub use quadratic::quadratic_transfer;
 pub use random::noise;
 pub use real::Real;
+pub use recovery::Recovery;
 pub use report::{SolveReport, Unfinished};
+pub use rigid_modes::RigidMode;
 pub use run::{Progress, SolveOptions};
+pub use scalar::{Function, Scalar};
 pub use stationary::{mean_reduction, stationary_iteration};
+pub use stress::{strains, stresses, von_mises};
 pub use summary::LevelSummary;
 pub use transfer::restrict_to_free;
 pub use transpose::transpose;

@@ -36,18 +36,24 @@ impl<'a, const N: usize> Scatter<'a, N> {
         Self { elements, owners: owners.into_iter().map(AtomicU8::into_inner).collect() }
     }
 
-    /// The sum at each target of what `contribution(element)` gives to it.
-    pub(crate) fn sum(&self, contribution: impl Fn(usize) -> [f64; N] + Sync) -> Vec<f64> {
+    /// The sum at each target of what `contribution(element)` gives to it: `K`
+    /// numbers for each of the element's targets.
+    pub(crate) fn sum<const K: usize>(
+        &self,
+        contribution: impl Fn(usize) -> [[f64; K]; N] + Sync,
+    ) -> Vec<[f64; K]> {
         let len = chunk_len(self.elements);
         // Only its owner writes a target, so relaxed loads and stores, which
         // cost no more than plain ones, suffice. The bits of 0.0 are 0.
-        let sums: Vec<AtomicU64> = self.owners.iter().map(|_| AtomicU64::new(0)).collect();
-        let add = |target: u32, value: f64| {
-            let sum = &sums[target as usize];
-            sum.store((f64::from_bits(sum.load(Relaxed)) + value).to_bits(), Relaxed);
+        let zero = || [const { AtomicU64::new(0) }; K];
+        let sums: Vec<[AtomicU64; K]> = self.owners.iter().map(|_| zero()).collect();
+        let add = |target: u32, values: [f64; K]| {
+            for (sum, value) in sums[target as usize].iter().zip(values) {
+                sum.store((f64::from_bits(sum.load(Relaxed)) + value).to_bits(), Relaxed);
+            }
         };
         let chunks = self.elements.par_chunks(len).enumerate();
-        let foreign: Vec<Vec<(u32, f64)>> = chunks
+        let foreign: Vec<Vec<(u32, [f64; K])>> = chunks
             .map(|(chunk, elements)| {
                 let mut foreign = Vec::new();
                 for (k, targets) in elements.iter().enumerate() {
@@ -65,7 +71,8 @@ impl<'a, const N: usize> Scatter<'a, N> {
         for &(target, value) in foreign.iter().flatten() {
             add(target, value);
         }
-        sums.into_iter().map(|sum| f64::from_bits(sum.into_inner())).collect()
+        let number = |sum: AtomicU64| f64::from_bits(sum.into_inner());
+        sums.into_iter().map(|target| target.map(number)).collect()
     }
 }
 

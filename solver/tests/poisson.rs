@@ -200,6 +200,63 @@ fn errors_shrink_with_the_order_of_the_element() {
 }
 
 #[test]
+fn exchange_with_a_surrounding_across_a_layer_is_exact() {
+    // k = 3 and flux 6 entering at z = 0: u falls by 2 a unit of height, and
+    // leaves at z = 1 with 6 = 4 (u(1) − 5), so u = 6.5 + 2 (1 − z). Nothing is
+    // fixed.
+    let problem = Poisson {
+        coefficient: 3.0.into(),
+        flux: vec![(5, 6.0.into())],
+        robin: vec![(6, Robin { coefficient: 4.0.into(), value: 5.0.into() })],
+        ..Poisson::default()
+    };
+    let mesh = kuhn_cube(4);
+    for (u, [_, _, z]) in solve(&mesh, &problem).iter().zip(mesh.points()) {
+        assert!((u - (6.5 + 2.0 * (1.0 - z))).abs() < 1e-12, "{u} at {z}");
+    }
+}
+
+#[test]
+fn errors_with_robin_conditions_shrink_at_the_rate_of_the_element() {
+    // u = eˣ cos y + z² with k = 1, −Δu = −2; on x = 1, where ∂u/∂n = ∂u/∂x,
+    // c = 1 + y + z² and u₀ = u + (∂u/∂x) / c. The other sides are prescribed.
+    let u = |[x, y, z]: [f64; 3]| x.exp() * y.cos() + z * z;
+    let c = |[_, y, z]: [f64; 3]| 1.0 + y + z * z;
+    let surrounding = move |p: [f64; 3]| u(p) + p[0].exp() * p[1].cos() / c(p);
+    let errors = [4, 8, 16].map(|n| {
+        let mesh = kuhn_cube(n);
+        let robin =
+            Robin { coefficient: Scalar::function(c), value: Scalar::function(surrounding) };
+        let problem = Poisson {
+            source: (-2.0).into(),
+            fixed: [1, 3, 4, 5, 6].map(|side| (side, Scalar::function(u))).into(),
+            robin: vec![(2, robin)],
+            ..Poisson::default()
+        };
+        l2_error(&mesh, &solve(&mesh, &problem), u)
+    });
+    let rates = [0, 1].map(|k| (errors[k] / errors[k + 1]).log2());
+    assert!(rates[1] > 1.9 && rates[1] < 2.1, "{rates:?}");
+}
+
+#[test]
+fn a_huge_exchange_coefficient_prescribes_and_a_tiny_one_insulates() {
+    // k = 1, u = 0 at z = 0: with exchange c to u₀ = 1 at z = 1, u = z c / (1 + c).
+    let mesh = kuhn_cube(2);
+    for c in [1e-12, 1.0, 1e12] {
+        let problem = Poisson {
+            fixed: vec![(5, 0.0.into())],
+            robin: vec![(6, Robin { coefficient: c.into(), value: 1.0.into() })],
+            ..Poisson::default()
+        };
+        for (u, [_, _, z]) in solve(&mesh, &problem).iter().zip(mesh.points()) {
+            let exact = z * c / (1.0 + c);
+            assert!((u - exact).abs() <= 1e-10 * c / (1.0 + c), "{c}: {u} for {exact}");
+        }
+    }
+}
+
+#[test]
 fn the_last_listed_surface_wins_at_a_common_vertex() {
     let mesh = kuhn_cube(1);
     let fixed = vec![(1, 5.0.into()), (3, 7.0.into())];
@@ -239,7 +296,23 @@ fn senseless_problems_are_refused() {
     let infinite = refused(Poisson { fixed, ..Poisson::default() });
     assert!(matches!(infinite, Error::BoundaryValue { surface: 2, .. }));
     let infinite = Poisson { source: f64::NAN.into(), fixed: zero(), ..Poisson::default() };
-    assert!(matches!(refused(infinite), Error::NotFinite { what: "load vector", .. }));
+    assert!(matches!(refused(infinite), Error::Load { what: "source", .. }));
+    let log = Scalar::expression("ln(x - 0.5)", |[x, ..]| (x - 0.5).ln());
+    let infinite = Poisson { flux: vec![(3, log)], fixed: zero(), ..Poisson::default() };
+    let told = refused(infinite).to_string();
+    assert!(
+        told.starts_with("the flux of surface 3 is `ln(x - 0.5)` = NaN at (0.25, 0, "),
+        "{told}"
+    );
+    for bad in [-1.0, f64::NAN] {
+        let robin = vec![(4, Robin { coefficient: bad.into(), value: 0.0.into() })];
+        let problem = Poisson { robin, fixed: zero(), ..Poisson::default() };
+        assert!(matches!(refused(problem), Error::SurfaceCoefficient { surface: 4, .. }));
+    }
+    // Exchange with coefficient 0 ties nothing.
+    let robin = vec![(4, Robin { coefficient: 0.0.into(), value: 0.0.into() })];
+    let loose = refused(Poisson { robin, ..Poisson::default() });
+    assert!(matches!(loose, Error::NothingFixed { vertices: 27, example: 0 }));
     let other = Topology::new(kuhn_cube(1).raw());
     let problem = Poisson { fixed: zero(), ..Poisson::default() };
     assert!(matches!(assemble(&mesh, &other, &problem), Err(Error::Size { .. })));

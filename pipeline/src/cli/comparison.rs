@@ -31,9 +31,14 @@ fn compare(title: &str, solves: &[SolveFigures]) -> String {
         row("operator complexity", &|solve| format!("{:.3}", solve.operator_complexity)),
         row("work per digit (products)", &|solve| format!("{:.1}", solve.work_per_digit)),
         row("greatest affine defect", &|solve| format!("{:.1e}", worst(&solve.affine_defects))),
-        row("solution from", &|solve| format!("{:.6}", solve.minimum)),
-        row("solution to", &|solve| format!("{:.6}", solve.maximum)),
+        row("solution from", &|solve| value(solve.minimum)),
+        row("solution to", &|solve| value(solve.maximum)),
         row("setup seconds", &|solve| format!("{:.2}", solve.setup_seconds)),
         row("solve seconds", &|solve| format!("{:.2}", solve.solve_seconds)),
     ])
+}
+
+/// Six decimals, or as many digits where those would be few.
+fn value(value: f64) -> String {
+    if value == 0.0 || value.abs() >= 0.1 { format!("{value:.6}") } else { format!("{value:.6e}") }
 }

@@ -12,22 +12,28 @@ mod error;
 mod expect;
 mod explain;
 mod labels;
+mod material;
 mod min_quality;
 mod nearest;
 mod override_;
 mod parse;
+mod per_region;
 mod source;
 mod value;
+mod value_or;
 
 use std::path::{Path, PathBuf};
 
 pub use choice::{Choice, Named, SchemeName};
 pub use error::{ConfigError, Place};
 pub use expect::{Bounds, Expectation, Outcome, compare};
+pub use material::Material;
 pub use min_quality::MinQuality;
 pub use nearest::suggestion;
+pub use per_region::{PerRegion, Regional};
 pub use source::Source;
-pub use value::{Degrees, Fraction, PerRegion, Positive, Value};
+pub use value::{Degrees, Fraction, Positive, Value, VectorValue};
+pub use value_or::{ValueOr, ValueOrVector};
 
 use crate::stages::Stage;
 

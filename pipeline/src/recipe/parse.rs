@@ -64,6 +64,7 @@ fn read_stages(root: &Tree, source: &Source) -> Result<Vec<Stage>, ConfigError> 
     let labels = labels_of_trees(list);
     let mut stages: Vec<Stage> = Vec::new();
     for (tree, label) in list.iter().zip(&labels) {
+        refuse_misplaced_keys(tree, label, source)?;
         let stage: Stage = deserialize(by_kind(tree, source)?, Some(label), source)?;
         if let Some(needed) = stage.needs()
             && !stages.iter().any(|before| before.kind() == needed)
@@ -71,9 +72,9 @@ fn read_stages(root: &Tree, source: &Source) -> Result<Vec<Stage>, ConfigError> 
             let message = format!("stage `{label}` needs a stage `{needed}` before it");
             return Err(source.error(&tree.span(), message));
         }
-        if let Some(contradiction) = stage.contradiction() {
+        if let Some((span, contradiction)) = stage.contradiction() {
             let message = format!("stage `{label}`: {contradiction}");
-            return Err(source.error(&tree.span(), message));
+            return Err(source.error(&span.unwrap_or(tree.span()), message));
         }
         stages.push(stage);
     }
@@ -95,6 +96,23 @@ fn stage_list<'t, 'a>(root: &'t Tree<'a>, source: &Source) -> Result<&'t DeArray
         DeValue::Array(entries) => Ok(entries),
         other => Err(wrong(list.span(), &format!("`stage` is one {}", other.type_str()))),
     }
+}
+
+/// Refuses keys that this kind of stage knows, but not with the other options
+/// given, before their values are read.
+fn refuse_misplaced_keys(stage: &Tree, label: &str, source: &Source) -> Result<(), ConfigError> {
+    let DeValue::Table(options) = stage.get_ref() else { return Ok(()) };
+    let text = |name: &str| match options.get(name)?.get_ref() {
+        DeValue::String(text) => Some(text.as_ref()),
+        _ => None,
+    };
+    for key in options.keys() {
+        let kind = text("kind").unwrap_or_default();
+        if let Some(message) = Stage::misplaced(kind, key.get_ref(), text) {
+            return Err(source.error(&key.span(), format!("stage `{label}`: {message}")));
+        }
+    }
+    Ok(())
 }
 
 /// Turns `{ kind = K, … }` into `{ K = { … } }`, which is how serde spells a

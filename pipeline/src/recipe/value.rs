@@ -2,21 +2,24 @@
 
 use std::fmt;
 
-use serde::de::{Deserialize, Deserializer, Error, MapAccess, Visitor};
-use toml::Spanned;
+use octruss_solver::{Scalar, Vector};
+use serde::de::{Deserialize, Deserializer, Error, Visitor};
 
-/// A number; later also an expression, which today is refused by name.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Value(pub f64);
+use crate::expression::{Expression, ExpressionError};
 
-/// One number for all regions, or one for each that is named.
+/// A number, or an expression in x, y and z.
 #[derive(Debug, Clone, PartialEq)]
-pub enum PerRegion {
-    /// The same everywhere.
-    Uniform(Value),
-    /// By region name; [`PerRegion::DEFAULT`] is for those that are not named.
-    Named(Vec<(Spanned<String>, Value)>),
+pub enum Value {
+    /// The same everywhere, finite.
+    Number(f64),
+    /// Different from place to place.
+    Expression(Expression),
 }
+
+/// Three of them: the components of a vector.
+#[derive(Debug, Clone, PartialEq, serde::Deserialize)]
+#[serde(try_from = "Vec<Value>")]
+pub struct VectorValue(pub [Value; 3]);
 
 /// A finite number above zero.
 #[derive(Debug, Clone, Copy, PartialEq, serde::Deserialize)]
@@ -64,9 +67,45 @@ impl TryFrom<f64> for Fraction {
     }
 }
 
-impl PerRegion {
-    /// The name that stands for all regions that are not named.
-    pub const DEFAULT: &'static str = "default";
+impl TryFrom<Vec<Value>> for VectorValue {
+    type Error = String;
+
+    fn try_from(list: Vec<Value>) -> Result<Self, String> {
+        let found = list.len();
+        let three = list.try_into().map(Self);
+        three.map_err(|_| format!("expected a list of three, x, y and z, found {found}"))
+    }
+}
+
+impl Value {
+    /// For the solver.
+    pub fn to_scalar(&self) -> Scalar {
+        match self {
+            Self::Number(number) => Scalar::from(*number),
+            Self::Expression(expression) => expression.to_scalar(),
+        }
+    }
+
+    /// From a text: a number if it does not vary.
+    fn from_text(text: &str) -> Result<Self, String> {
+        let expression: Expression =
+            text.parse().map_err(|error: ExpressionError| error.to_string())?;
+        match expression.constant() {
+            Some(number) if number.is_finite() => Ok(Self::Number(number)),
+            Some(number) => Err(format!("expected a finite number, but \"{text}\" is {number}")),
+            None => Ok(Self::Expression(expression)),
+        }
+    }
+}
+
+impl VectorValue {
+    /// (0, 0, 0).
+    pub const ZERO: Self = Self([Value::Number(0.0), Value::Number(0.0), Value::Number(0.0)]);
+
+    /// For the solver.
+    pub fn to_vector(&self) -> Vector {
+        [0, 1, 2].map(|k| self.0[k].to_scalar())
+    }
 }
 
 impl<'de> Deserialize<'de> for Value {
@@ -75,65 +114,27 @@ impl<'de> Deserialize<'de> for Value {
     }
 }
 
-struct ValueVisitor;
+pub(super) struct ValueVisitor;
 
 impl Visitor<'_> for ValueVisitor {
     type Value = Value;
 
     fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str("a number")
+        f.write_str("a number or an expression in x, y and z")
     }
 
     fn visit_f64<E: Error>(self, number: f64) -> Result<Value, E> {
         if !number.is_finite() {
             return Err(E::custom(format!("expected a finite number, found {number}")));
         }
-        Ok(Value(number))
+        Ok(Value::Number(number))
     }
 
     fn visit_i64<E: Error>(self, number: i64) -> Result<Value, E> {
-        Ok(Value(number as f64))
+        Ok(Value::Number(number as f64))
     }
 
     fn visit_str<E: Error>(self, text: &str) -> Result<Value, E> {
-        Err(E::custom(format!(
-            "found the string \"{text}\": expressions are not supported, give a number"
-        )))
-    }
-}
-
-impl<'de> Deserialize<'de> for PerRegion {
-    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        deserializer.deserialize_any(PerRegionVisitor)
-    }
-}
-
-struct PerRegionVisitor;
-
-impl<'de> Visitor<'de> for PerRegionVisitor {
-    type Value = PerRegion;
-
-    fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str("a number or a table of numbers by region name")
-    }
-
-    fn visit_f64<E: Error>(self, number: f64) -> Result<PerRegion, E> {
-        ValueVisitor.visit_f64(number).map(PerRegion::Uniform)
-    }
-
-    fn visit_i64<E: Error>(self, number: i64) -> Result<PerRegion, E> {
-        ValueVisitor.visit_i64(number).map(PerRegion::Uniform)
-    }
-
-    fn visit_str<E: Error>(self, text: &str) -> Result<PerRegion, E> {
-        ValueVisitor.visit_str(text).map(PerRegion::Uniform)
-    }
-
-    fn visit_map<A: MapAccess<'de>>(self, mut map: A) -> Result<PerRegion, A::Error> {
-        let mut named = Vec::new();
-        while let Some(entry) = map.next_entry()? {
-            named.push(entry);
-        }
-        Ok(PerRegion::Named(named))
+        Value::from_text(text).map_err(E::custom)
     }
 }

@@ -1,11 +1,12 @@
 //! Groups of the mesh by the names that configs use.
 
 use octruss_mesh::RawMesh;
+use octruss_solver::ByRegion;
 use toml::Spanned;
 
 use super::Context;
 use crate::error::Error;
-use crate::recipe::suggestion;
+use crate::recipe::{PerRegion, suggestion};
 
 /// The ids of the groups called `name` in dimension 2 (surfaces) or 3
 /// (regions) that some simplex belongs to.
@@ -38,4 +39,55 @@ pub fn group_ids(
         return Err(context.name_error(name, &message));
     }
     Ok(ids)
+}
+
+/// What a config gives by region name, by region id; `otherwise` where it gives
+/// nothing.
+///
+/// # Errors
+/// As [`group_ids`]; a region of the mesh that is called as the table's entry
+/// for all others.
+pub fn by_region<T, U: Clone>(
+    given: &PerRegion<T>,
+    convert: impl Fn(&T) -> U,
+    otherwise: U,
+    mesh: &RawMesh,
+    context: &Context,
+) -> Result<ByRegion<U>, Error> {
+    let named = match given {
+        PerRegion::Uniform(value) => return Ok(ByRegion::from(convert(value))),
+        PerRegion::Named(named) => named,
+    };
+    let (mut default, mut regions) = (otherwise, Vec::new());
+    for (name, value) in named {
+        let value = convert(value);
+        if name.get_ref() != PerRegion::<T>::DEFAULT {
+            let ids = group_ids(mesh, 3, name, context)?;
+            regions.extend(ids.into_iter().map(|id| (id, value.clone())));
+        } else if mesh.group_ids(3, PerRegion::<T>::DEFAULT).is_empty() {
+            default = value;
+        } else {
+            let message = "`default` stands for all regions that are not named, but a region of \
+                the mesh is called so, too: rename that region, or name all others instead";
+            return Err(context.name_error(name, message));
+        }
+    }
+    Ok(ByRegion { default, regions })
+}
+
+/// What a config gives by surface name, by surface id, in the order given.
+///
+/// # Errors
+/// As [`group_ids`].
+pub fn on_surfaces<'a, T: Clone>(
+    given: impl Iterator<Item = (&'a Spanned<String>, T)>,
+    mesh: &RawMesh,
+    context: &Context,
+) -> Result<Vec<(i32, T)>, Error> {
+    let mut all = Vec::new();
+    for (surface, value) in given {
+        let ids = group_ids(mesh, 2, surface, context)?;
+        all.extend(ids.into_iter().map(|id| (id, value.clone())));
+    }
+    Ok(all)
 }

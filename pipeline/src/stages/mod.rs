@@ -1,29 +1,37 @@
 //! The steps of a run: one file each, with its options, what it does and what
 //! it reports.
 
+mod body;
 mod carried_fields;
 mod check;
 mod corner_fields;
+mod elasticity;
+mod fixed;
 mod groups;
 mod import;
 mod jumps;
 mod multigrid;
+mod on_surface;
 mod poisson;
 mod solve;
 mod subdivide;
 mod subdivide_report;
 mod write;
 
+use std::ops::Range;
 use std::path::Path;
 
 use serde::{Deserialize, Serialize};
 use toml::Spanned;
 
+pub use body::{BodyFigures, Force, ForceFigures, SurfaceForce};
 pub use carried_fields::{CarriedFields, FieldFigures};
 pub use check::{Check, CheckReport};
+pub use fixed::Fixed;
 pub use import::{Import, ImportReport};
 pub use multigrid::SolveFigures;
-pub use solve::{OnSurface, Problem, Solve, SolveReport};
+pub use on_surface::{OnSurface, Robin, Springs, VectorOnSurface};
+pub use solve::{Problem, Solve, SolveReport};
 pub use subdivide::Subdivide;
 pub use subdivide_report::{
     GuardFigures, LevelReport, MarkingFigures, ReasonCounts, Strata, SubdivideReport,
@@ -46,7 +54,7 @@ pub enum Stage {
     /// Refines the mesh.
     Subdivide(Subdivide),
     /// Solves a problem on the finest mesh.
-    Solve(Solve),
+    Solve(Box<Solve>),
     /// Writes meshes and fields for ParaView.
     Write(Write),
 }
@@ -134,12 +142,24 @@ impl Stage {
         }
     }
 
-    /// What in the options does not go together, if anything.
-    pub fn contradiction(&self) -> Option<String> {
+    /// What in the options does not go together, if anything, with its place if
+    /// that is not the whole stage.
+    pub fn contradiction(&self) -> Option<(Option<Range<usize>>, String)> {
         match self {
-            Self::Subdivide(options) => options.contradiction(),
+            Self::Subdivide(options) => options.contradiction().map(|message| (None, message)),
+            Self::Solve(options) => options.contradiction(),
             _ => None,
         }
+    }
+
+    /// Why a stage of this kind does not know `key`, if it would with other
+    /// options; `option` gives the text of an option.
+    pub fn misplaced<'a>(
+        kind: &str,
+        key: &str,
+        option: impl Fn(&str) -> Option<&'a str>,
+    ) -> Option<String> {
+        (kind == "solve").then(|| Problem::misplaced(key, option("problem"))).flatten()
     }
 
     /// Does it.

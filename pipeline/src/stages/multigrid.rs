@@ -6,7 +6,7 @@ use std::time::Instant;
 
 use octruss_mesh::{Hierarchy, Scheme, SubdivisionMatrix, TetMesh, linear_matrix};
 use octruss_solver::{
-    Csr, Dofs, Error, Multigrid, MultigridOptions, Poisson, Smoother, SolveOptions, System,
+    Csr, Dofs, Entry, Error, Multigrid, MultigridOptions, Smoother, SolveOptions,
     conjugate_gradients, restrict_to_free,
 };
 use serde::Serialize;
@@ -48,9 +48,9 @@ pub struct SolveFigures {
     /// Work for a decimal digit of the residual, in products with the finest
     /// matrix: a cycle and the product of the iteration itself.
     pub work_per_digit: f64,
-    /// The least value at a vertex of a tet.
+    /// The least value at a vertex of a tet, of displacements their length.
     pub minimum: f64,
-    /// The greatest value at a vertex of a tet.
+    /// The greatest value at a vertex of a tet, of displacements their length.
     pub maximum: f64,
     /// Prolongations, coarse matrices, factors.
     pub setup_seconds: f64,
@@ -65,22 +65,62 @@ impl SolveFigures {
     }
 }
 
-/// Solves an assembled problem; a value for each vertex of the finest mesh, NaN
-/// where no tet is, on free-standing triangles and edges.
+/// A problem on the finest level, and the unknowns of all.
+pub struct Discrete<E: Entry> {
+    /// One row for each unknown.
+    pub matrix: Csr<E>,
+    /// One entry for each unknown.
+    pub rhs: Vec<E::Nodal>,
+    /// The unknowns of each level, coarsest first.
+    pub levels: Vec<LevelUnknowns<E>>,
+}
+
+/// The unknowns of one level.
+pub struct LevelUnknowns<E> {
+    /// Which vertices they belong to.
+    pub dofs: Dofs,
+    /// Those that are held in some directions, with the projector onto the free
+    /// ones.
+    pub projectors: Vec<(u32, E)>,
+}
+
+impl<E: Entry> AsRef<Self> for Discrete<E> {
+    fn as_ref(&self) -> &Self {
+        self
+    }
+}
+
+impl<E: Entry> Discrete<E> {
+    /// The unknowns of the finest level.
+    pub fn finest(&self) -> &Dofs {
+        &self.levels.last().expect("there is at least one level").dofs
+    }
+
+    /// How many numbers are unknown.
+    pub fn unknowns(&self) -> usize {
+        E::SIZE * self.finest().unknowns()
+    }
+}
+
+/// Solves an assembled problem; the unknowns, and figures of which `minimum` and
+/// `maximum` are still 0.
 ///
 /// # Errors
 /// Whatever the solver reports.
-pub fn solve_with(
+pub fn solve_with<E: Entry<Real = f64>>(
     options: &Solve,
     scheme: Scheme,
     hierarchy: &Hierarchy,
-    (problem, system): (&Poisson, &System),
+    discrete: &Discrete<E>,
     context: &Context,
-) -> Result<(Vec<f64>, SolveFigures), Error> {
+) -> Result<(Vec<E::Nodal>, SolveFigures), Error> {
     let start = Instant::now();
     let matrices = subdivision_matrices(hierarchy, scheme);
-    let prolongations = prolongations(hierarchy, &matrices, problem, system)?;
-    let mut multigrid = Multigrid::new(&system.matrix, prolongations, &multigrid_options(options))?;
+    let Discrete { matrix, rhs, levels } = discrete;
+    let prolongations = prolongations(&matrices, levels)?;
+    let projectors = levels.iter().rev().map(|level| level.projectors.clone()).collect();
+    let mut multigrid =
+        Multigrid::constrained(matrix, prolongations, projectors, &multigrid_options(options))?;
     let setup_seconds = start.elapsed().as_secs_f64();
     let tell = |iteration: usize, residual: f64| {
         context
@@ -93,9 +133,7 @@ pub fn solve_with(
         max_iterations: options.max_iterations,
         progress: Some(&tell),
     };
-    let (x, report) = conjugate_gradients(&system.matrix, &system.rhs, &mut multigrid, &stop)?;
-    let mut solution = system.expand(&x)?;
-    blank_outside(&mut solution, hierarchy.finest());
+    let (x, report) = conjugate_gradients(matrix, rhs, &mut multigrid, &stop)?;
     let digits = -report.relative_residual.log10();
     let cycles = report.iterations as f64;
     let defect = |(transfer, matrix): (usize, &Cow<SubdivisionMatrix>)| {
@@ -104,9 +142,9 @@ pub fn solve_with(
     let figures = SolveFigures {
         name: scheme.name(),
         prolongation: scheme.name(),
-        unknowns: system.dofs.unknowns(),
+        unknowns: discrete.unknowns(),
         levels: multigrid.levels().len(),
-        nonzeros: system.matrix.nonzeros(),
+        nonzeros: multigrid.levels()[0].nonzeros,
         nonzeros_all_levels: multigrid.levels().iter().map(|level| level.nonzeros).sum(),
         operator_complexity: multigrid.operator_complexity(),
         grid_complexity: multigrid.grid_complexity(),
@@ -116,21 +154,28 @@ pub fn solve_with(
         residual_history: report.residual_history,
         mean_reduction: report.relative_residual.powf(1.0 / cycles),
         work_per_digit: cycles * (multigrid.work_units() + 1.0) / digits,
-        // These pass over NaN.
-        minimum: solution.iter().copied().fold(f64::INFINITY, f64::min),
-        maximum: solution.iter().copied().fold(f64::NEG_INFINITY, f64::max),
+        minimum: 0.0,
+        maximum: 0.0,
         setup_seconds,
         solve_seconds: report.solve_seconds,
     };
-    Ok((solution, figures))
+    Ok((x, figures))
 }
 
-/// Puts NaN, which viewers leave blank, where no tet is and nothing was solved.
-fn blank_outside(solution: &mut [f64], mesh: &TetMesh) {
+/// The least and the greatest value; NaN is passed over.
+pub fn range(values: impl Iterator<Item = f64>) -> [f64; 2] {
+    values.fold([f64::INFINITY, f64::NEG_INFINITY], |[least, greatest], value| {
+        [least.min(value), greatest.max(value)]
+    })
+}
+
+/// Puts `blank`, NaN, which viewers leave blank, where no tet is and nothing was
+/// solved.
+pub fn blank_outside<T: Copy>(solution: &mut [T], mesh: &TetMesh, blank: T) {
     let mut inside = vec![false; solution.len()];
     mesh.tets().as_flattened().iter().for_each(|&v| inside[v as usize] = true);
     for (value, _) in solution.iter_mut().zip(inside).filter(|(_, inside)| !inside) {
-        *value = f64::NAN;
+        *value = blank;
     }
 }
 
@@ -146,20 +191,12 @@ fn subdivision_matrices(hierarchy: &Hierarchy, scheme: Scheme) -> Vec<Cow<'_, Su
 }
 
 /// Prolongations between free unknowns, finest first.
-fn prolongations(
-    hierarchy: &Hierarchy,
+fn prolongations<E>(
     matrices: &[Cow<SubdivisionMatrix>],
-    problem: &Poisson,
-    system: &System,
+    levels: &[LevelUnknowns<E>],
 ) -> Result<Vec<Csr<f64>>, Error> {
-    let mut fine = Cow::Borrowed(&system.dofs);
-    let mut prolongations = Vec::new();
-    for (mesh, matrix) in hierarchy.meshes.iter().zip(matrices).rev() {
-        let coarse = Dofs::new(mesh, &problem.fixed)?;
-        prolongations.push(restrict_to_free(matrix, &fine, &coarse)?);
-        fine = Cow::Owned(coarse);
-    }
-    Ok(prolongations)
+    let transfers = matrices.iter().zip(levels.windows(2)).rev();
+    transfers.map(|(matrix, pair)| restrict_to_free(matrix, &pair[1].dofs, &pair[0].dofs)).collect()
 }
 
 fn multigrid_options(options: &Solve) -> MultigridOptions {

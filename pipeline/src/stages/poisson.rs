@@ -1,62 +1,75 @@
-//! A Poisson problem from the names that a config uses.
+//! A Poisson problem from the names that a config uses, and its solution.
 
-use octruss_mesh::RawMesh;
-use octruss_solver::{ByRegion, Poisson, Scalar};
+use octruss_mesh::{Hierarchy, RawMesh};
+use octruss_meshio::Field;
+use octruss_solver::{Dofs, Error as SolverError, Poisson, Robin, Scalar, assemble};
 
 use super::Context;
-use super::groups::group_ids;
-use super::solve::{OnSurface, Solve};
+use super::groups::{by_region, on_surfaces};
+use super::multigrid::{Discrete, LevelUnknowns, blank_outside, range};
+use super::solve::{Outcome, Solve, assembled, solve_in_turn};
 use crate::error::Error;
-use crate::recipe::{PerRegion, Value};
+use crate::recipe::{Value, ValueOrVector};
 
-/// The problem that a stage describes, on this mesh.
+/// Solves the problem that a stage describes on the finest mesh.
 ///
 /// # Errors
-/// A surface or region that the mesh does not have.
-pub fn poisson(options: &Solve, mesh: &RawMesh, context: &Context) -> Result<Poisson, Error> {
-    Ok(Poisson {
-        coefficient: by_region(&options.coefficient, 1.0, mesh, context)?,
-        source: by_region(&options.source, 0.0, mesh, context)?,
-        fixed: on_surfaces(&options.fixed, mesh, context)?,
-        flux: on_surfaces(&options.flux, mesh, context)?,
-    })
-}
-
-fn by_region(
-    given: &PerRegion,
-    otherwise: f64,
-    mesh: &RawMesh,
+/// A surface or region that the mesh does not have; whatever the solver reports.
+pub(super) fn solve(
+    options: &Solve,
+    hierarchy: &Hierarchy,
     context: &Context,
-) -> Result<ByRegion, Error> {
-    let named = match given {
-        PerRegion::Uniform(Value(number)) => return Ok(ByRegion::from(*number)),
-        PerRegion::Named(named) => named,
+) -> Result<Outcome, Error> {
+    let problem = problem(options, hierarchy.finest().raw(), context)?;
+    let (discrete, assembly_seconds) = assembled(options, context, || {
+        let finest = hierarchy.meshes.len() - 1;
+        let system = assemble(&hierarchy.meshes[finest], &hierarchy.topologies[finest], &problem)?;
+        let coarse = hierarchy.meshes[..finest].iter();
+        let mut dofs: Vec<Dofs> =
+            coarse.map(|mesh| Dofs::new(mesh, &problem.fixed)).collect::<Result<_, _>>()?;
+        dofs.push(system.dofs);
+        let level = |dofs| LevelUnknowns { dofs, projectors: Vec::new() };
+        let levels = dofs.into_iter().map(level).collect();
+        Ok::<_, SolverError>(Discrete { matrix: system.matrix, rhs: system.rhs, levels })
+    })?;
+    let expand = |x: &[f64]| {
+        let mut solution = discrete.finest().expand(x)?;
+        blank_outside(&mut solution, hierarchy.finest(), f64::NAN);
+        let range = range(solution.iter().copied());
+        Ok((solution, range))
     };
-    let (mut default, mut regions) = (otherwise, Vec::new());
-    for (name, Value(number)) in named {
-        if name.get_ref() != PerRegion::DEFAULT {
-            let ids = group_ids(mesh, 3, name, context)?;
-            regions.extend(ids.into_iter().map(|id| (id, Scalar::from(*number))));
-        } else if mesh.group_ids(3, PerRegion::DEFAULT).is_empty() {
-            default = *number;
-        } else {
-            let message = "`default` stands for all regions that are not named, but a region of \
-                the mesh is called so, too: rename that region, or name all others instead";
-            return Err(context.name_error(name, message));
-        }
-    }
-    Ok(ByRegion { default: default.into(), regions })
+    let (solution, solves) = solve_in_turn(options, hierarchy, &discrete, expand, context)?;
+    let point_fields = vec![Field::scalar("solution", solution)];
+    Ok(Outcome { solves, assembly_seconds, point_fields, ..Outcome::default() })
 }
 
-fn on_surfaces(
-    given: &[OnSurface],
-    mesh: &RawMesh,
-    context: &Context,
-) -> Result<Vec<(i32, Scalar)>, Error> {
-    let mut surfaces = Vec::new();
-    for OnSurface { surface, value } in given {
-        let ids = group_ids(mesh, 2, surface, context)?;
-        surfaces.extend(ids.into_iter().map(|id| (id, Scalar::from(value.0))));
-    }
-    Ok(surfaces)
+/// The problem that a stage describes, on this mesh.
+fn problem(options: &Solve, mesh: &RawMesh, context: &Context) -> Result<Poisson, Error> {
+    let scalars = |given, otherwise: f64| {
+        by_region(given, Value::to_scalar, Scalar::from(otherwise), mesh, context)
+    };
+    // That every entry gives one value is checked when the config is read.
+    let value = |given: &Option<ValueOrVector>| match given {
+        Some(ValueOrVector::One(value)) => value.to_scalar(),
+        _ => Scalar::from(0.0),
+    };
+    let fixed = options.fixed.iter().map(|entry| entry.get_ref());
+    Ok(Poisson {
+        coefficient: scalars(&options.coefficient, 1.0)?,
+        source: scalars(&options.source, 0.0)?,
+        fixed: on_surfaces(fixed.map(|at| (&at.surface, value(&at.value))), mesh, context)?,
+        flux: on_surfaces(
+            options.flux.iter().map(|at| (&at.surface, at.value.to_scalar())),
+            mesh,
+            context,
+        )?,
+        robin: on_surfaces(
+            options.robin.iter().map(|at| {
+                let coefficient = at.coefficient.to_scalar();
+                (&at.surface, Robin { coefficient, value: at.value.to_scalar() })
+            }),
+            mesh,
+            context,
+        )?,
+    })
 }

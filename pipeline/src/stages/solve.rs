@@ -1,39 +1,61 @@
 //! Solving on the finest mesh, once with each prolongation.
 
 use std::num::NonZeroU8;
+use std::ops::Range;
 use std::time::Instant;
 
 use octruss_mesh::{FeatureOptions, Hierarchy, Scheme};
 use octruss_meshio::Field;
-use octruss_solver::{Poisson, System, assemble};
+use octruss_solver::{Entry, Error as SolverError};
 use serde::{Deserialize, Serialize};
 use toml::Spanned;
 
-use super::Context;
-use super::multigrid::{SolveFigures, solve_with};
-use super::poisson::poisson;
+use super::body::BodyFigures;
+use super::fixed::Fixed;
+use super::multigrid::{Discrete, SolveFigures, solve_with};
+use super::on_surface::{OnSurface, Robin, Springs, VectorOnSurface};
+use super::{Context, elasticity, poisson};
 use crate::amount::short;
 use crate::error::Error;
-use crate::recipe::{Named, PerRegion, Positive, SchemeName, Value};
+use crate::recipe::{Material, Named, PerRegion, Positive, SchemeName, Value, VectorValue};
 use crate::state::State;
 
 /// Solves a problem on the finest mesh by conjugate gradients with a multigrid
 /// V-cycle over all levels, in turn with each prolongation. The first solution
 /// becomes the field `solution` (of a second such stage `solution-2`), with NaN
-/// at vertices of free-standing triangles and edges, which no tet uses.
+/// at vertices of free-standing triangles and edges, which no tet uses. Of
+/// elasticity these are `displacement`, and `strain`, `stress` and `von-mises` on
+/// tets and recovered at vertices; there one of each material, where there are
+/// several, as `stress-REGION`, NaN at vertices without it. Components of tensors
+/// come in the order of VTK: xx, yy, zz, xy, yz, xz.
 #[derive(Debug, Clone, PartialEq, Deserialize)]
 #[serde(deny_unknown_fields, rename_all = "kebab-case", default)]
 pub struct Solve {
     /// Which equation.
     pub problem: Problem,
-    /// k > 0, one number or one a region; 1 where none is given.
+    /// What is prescribed on surfaces; on a common edge the last listed counts.
+    pub fixed: Vec<Spanned<Fixed>>,
+    /// Poisson: k > 0, one value or one a region; 1 where none is given.
     pub coefficient: PerRegion,
-    /// f per unit of volume, one number or one a region; 0 where none is given.
+    /// Poisson: f per unit of volume, one value or one a region; 0 where none is given.
     pub source: PerRegion,
-    /// Values of u on surfaces; on a common edge the last listed counts.
-    pub fixed: Vec<OnSurface>,
-    /// k ∂u/∂n on surfaces, n outward: what flows in per unit of area.
+    /// Poisson: k ∂u/∂n on surfaces, n outward: what flows in per unit of area.
     pub flux: Vec<OnSurface>,
+    /// Poisson: k ∂u/∂n = coefficient (value − u) on surfaces.
+    pub robin: Vec<Robin>,
+    /// Elasticity: one material, or one a region.
+    pub material: Option<PerRegion<Material>>,
+    /// Elasticity: force per unit of volume, one vector or one a region.
+    pub body_force: PerRegion<VectorValue>,
+    /// Elasticity: acceleration; times density a force per unit of volume.
+    pub gravity: VectorValue,
+    /// Elasticity: force per unit of area on surfaces.
+    pub traction: Vec<VectorOnSurface>,
+    /// Elasticity: force per unit of area against the outward normal: positive
+    /// pushes inward.
+    pub pressure: Vec<OnSurface>,
+    /// Elasticity: force per unit of area and of displacement, against it.
+    pub springs: Vec<Springs>,
     /// Which matrices prolong: `linear`, or those of the scheme that refined all levels.
     pub prolongation: Vec<SchemeName>,
     /// Stop at this residual, relative to the right-hand side.
@@ -52,16 +74,18 @@ pub struct Solve {
 pub enum Problem {
     /// −div(k grad u) = f.
     Poisson,
+    /// −div σ(u) = f, linear and isotropic.
+    Elasticity,
 }
 
-/// A number on a named surface.
-#[derive(Debug, Clone, PartialEq, Deserialize)]
-#[serde(deny_unknown_fields, rename_all = "kebab-case")]
-pub struct OnSurface {
-    /// The surface group.
-    pub surface: Spanned<String>,
-    /// The number there.
-    pub value: Value,
+/// What solving a problem brings.
+#[derive(Default)]
+pub(super) struct Outcome {
+    pub(super) solves: Vec<SolveFigures>,
+    pub(super) assembly_seconds: f64,
+    pub(super) body: Option<BodyFigures>,
+    pub(super) point_fields: Vec<Field>,
+    pub(super) cell_fields: Vec<Field>,
 }
 
 /// All solves of a stage.
@@ -73,6 +97,9 @@ pub struct SolveReport {
     pub assembly_seconds: f64,
     /// One a prolongation.
     pub solves: Vec<SolveFigures>,
+    /// Of an elastic body, what else is of interest.
+    #[serde(flatten, skip_serializing_if = "Option::is_none")]
+    pub body: Option<BodyFigures>,
 }
 
 impl Default for Solve {
@@ -80,10 +107,17 @@ impl Default for Solve {
         let options = octruss_solver::SolveOptions::default();
         Self {
             problem: Problem::Poisson,
-            coefficient: PerRegion::Uniform(Value(1.0)),
-            source: PerRegion::Uniform(Value(0.0)),
             fixed: Vec::new(),
+            coefficient: PerRegion::Uniform(Value::Number(1.0)),
+            source: PerRegion::Uniform(Value::Number(0.0)),
             flux: Vec::new(),
+            robin: Vec::new(),
+            material: None,
+            body_force: PerRegion::Uniform(VectorValue::ZERO),
+            gravity: VectorValue::ZERO,
+            traction: Vec::new(),
+            pressure: Vec::new(),
+            springs: Vec::new(),
             prolongation: vec![Named(Scheme::BoxSpline), Named(Scheme::Linear)],
             tolerance: Positive(options.tolerance),
             max_iterations: options.max_iterations,
@@ -98,35 +132,28 @@ impl Solve {
         state.levels(&FeatureOptions::default());
         let hierarchy = state.hierarchy.as_ref().ok_or_else(|| context.order("check"))?;
         self.check_prolongations(&state.schemes, context)?;
-        let problem = poisson(self, hierarchy.finest().raw(), context)?;
-        let steps = self.prolongation.len() + 1;
-        let start = Instant::now();
-        let system = context.progress.step(1, steps, "assembly", || {
-            let system = assemble_finest(hierarchy, &problem)
-                .map_err(|source| context.solver("assembly", source))?;
-            let unknowns = format!("{} unknowns", short(system.dofs.unknowns()));
-            Ok::<_, Error>((system, unknowns))
-        })?;
-        let assembly_seconds = start.elapsed().as_secs_f64();
-        let mut solves = Vec::new();
-        let mut first_solution = None;
-        for (index, &Named(scheme)) in self.prolongation.iter().enumerate() {
-            let what = format!("{} prolongation", scheme.name());
-            let (solution, figures) = context.progress.step(index + 2, steps, &what, || {
-                let solved = solve_with(self, scheme, hierarchy, (&problem, &system), context)
-                    .map_err(|source| context.solver(&what, source))?;
-                let result = solved.1.result();
-                Ok::<_, Error>((solved, result))
-            })?;
-            first_solution.get_or_insert(solution);
-            solves.push(figures);
+        let outcome = match self.problem {
+            Problem::Poisson => poisson::solve(self, hierarchy, context)?,
+            Problem::Elasticity => elasticity::solve(self, hierarchy, context)?,
+        };
+        let Outcome { solves, assembly_seconds, body, point_fields, cell_fields } = outcome;
+        let number = context.progress.label.strip_prefix("solve").unwrap_or_default();
+        add_fields(&mut state.point_fields, point_fields, number);
+        add_fields(&mut state.cell_fields, cell_fields, number);
+        Ok(SolveReport { problem: self.problem, assembly_seconds, solves, body })
+    }
+
+    /// What in the options does not go together, if anything, and where.
+    pub(super) fn contradiction(&self) -> Option<(Option<Range<usize>>, String)> {
+        if self.problem == Problem::Elasticity && self.material.is_none() {
+            let message = "problem = \"elasticity\" needs `material`, such as \
+                { young = 210e3, poisson = 0.3 }";
+            return Some((None, message.into()));
         }
-        if let Some(solution) = first_solution {
-            let name = context.progress.label.replace("solve", "solution");
-            state.point_fields.retain(|field| field.name != name);
-            state.point_fields.push(Field::scalar(name, solution));
-        }
-        Ok(SolveReport { problem: self.problem, assembly_seconds, solves })
+        self.fixed.iter().find_map(|fixed| {
+            let message = fixed.get_ref().contradiction(self.problem)?;
+            Some((Some(fixed.span()), message))
+        })
     }
 
     /// Linear interpolation fits any levels; the matrices of another scheme only
@@ -152,12 +179,93 @@ impl Solve {
     }
 }
 
-fn assemble_finest(
+/// Adds fields under their names and the number of the stage, in place of older
+/// ones called so.
+fn add_fields(all: &mut Vec<Field>, new: Vec<Field>, number: &str) {
+    for mut field in new {
+        field.name += number;
+        all.retain(|old| old.name != field.name);
+        all.push(field);
+    }
+}
+
+/// Assembles as the first step of a stage; what came of it, and the seconds.
+pub(super) fn assembled<E: Entry, T: AsRef<Discrete<E>>>(
+    options: &Solve,
+    context: &Context,
+    assemble: impl FnOnce() -> Result<T, SolverError>,
+) -> Result<(T, f64), Error> {
+    let start = Instant::now();
+    let steps = options.prolongation.len() + 1;
+    let assembled = context.progress.step(1, steps, "assembly", || {
+        let assembled = assemble().map_err(|source| context.solver("assembly", source))?;
+        let unknowns = format!("{} unknowns", short(assembled.as_ref().unknowns()));
+        Ok::<_, Error>((assembled, unknowns))
+    })?;
+    Ok((assembled, start.elapsed().as_secs_f64()))
+}
+
+/// Solves with each prolongation; the first solution, as `expand` makes it of the
+/// unknowns, and the figures of all. `expand` also tells the range.
+pub(super) fn solve_in_turn<E: Entry<Real = f64>>(
+    options: &Solve,
     hierarchy: &Hierarchy,
-    problem: &Poisson,
-) -> Result<System, octruss_solver::Error> {
-    let finest = hierarchy.meshes.len() - 1;
-    assemble(&hierarchy.meshes[finest], &hierarchy.topologies[finest], problem)
+    discrete: &Discrete<E>,
+    expand: impl Fn(&[E::Nodal]) -> Result<(Vec<E::Nodal>, [f64; 2]), SolverError>,
+    context: &Context,
+) -> Result<(Vec<E::Nodal>, Vec<SolveFigures>), Error> {
+    let steps = options.prolongation.len() + 1;
+    let (mut first, mut all) = (None, Vec::new());
+    for (index, &Named(scheme)) in options.prolongation.iter().enumerate() {
+        let what = format!("{} prolongation", scheme.name());
+        let (solution, figures) = context.progress.step(index + 2, steps, &what, || {
+            let solved = solve_with(options, scheme, hierarchy, discrete, context);
+            let (x, mut figures) = solved.map_err(|source| context.solver(&what, source))?;
+            let (solution, range) = expand(&x).map_err(|source| context.solver(&what, source))?;
+            [figures.minimum, figures.maximum] = range;
+            let result = figures.result();
+            Ok::<_, Error>(((solution, figures), result))
+        })?;
+        first.get_or_insert(solution);
+        all.push(figures);
+    }
+    Ok((first.unwrap_or_default(), all))
+}
+
+impl Problem {
+    /// The keys of one problem alone.
+    const OWN_KEYS: [(Self, &'static [&'static str]); 2] = [
+        (Self::Poisson, &["coefficient", "source", "flux", "robin"]),
+        (
+            Self::Elasticity,
+            &["material", "body-force", "gravity", "traction", "pressure", "springs"],
+        ),
+    ];
+
+    /// As configs call it.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Poisson => "poisson",
+            Self::Elasticity => "elasticity",
+        }
+    }
+
+    /// Why a stage that solves the problem called `given` does not take `key`, if
+    /// another would.
+    pub(super) fn misplaced(key: &str, given: Option<&str>) -> Option<String> {
+        let given = given.unwrap_or(Self::Poisson.name());
+        // A name that is none is told when the value is read.
+        let (_, mine) = Self::OWN_KEYS.into_iter().find(|(problem, _)| problem.name() == given)?;
+        let (owner, _) = Self::OWN_KEYS.into_iter().find(|(_, keys)| keys.contains(&key))?;
+        (!mine.contains(&key)).then(|| {
+            let owner = owner.name();
+            format!(
+                "`{key}` belongs to problem = \"{owner}\", but this stage solves \"{given}\" \
+                 (keys of its own: {})",
+                mine.join(", ")
+            )
+        })
+    }
 }
 
 impl SolveReport {

@@ -1,0 +1,167 @@
+//! What a deformed body has to show: strains, stresses, forces.
+
+use octruss_mesh::{Hierarchy, RawMesh};
+use octruss_meshio::{Field, Values};
+use octruss_solver::{
+    Constraints, Elasticity, Error, Forces, Recovery, strains, stresses, von_mises,
+};
+use serde::Serialize;
+use toml::Spanned;
+
+use super::solve::Solve;
+
+/// A body with its displacement found.
+pub(super) struct Body<'a> {
+    pub(super) options: &'a Solve,
+    pub(super) hierarchy: &'a Hierarchy,
+    pub(super) problem: &'a Elasticity,
+    pub(super) constraints: &'a Constraints,
+}
+
+/// Stresses and forces of an elastic body.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct BodyFigures {
+    /// The greatest of von Mises' stress in a tet.
+    pub greatest_von_mises: f64,
+    /// What acts on the body.
+    pub forces: ForceFigures,
+}
+
+/// The forces on a body, each summed over a surface or all of it.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct ForceFigures {
+    /// With which each fixed surface holds the body.
+    pub reactions: Vec<SurfaceForce>,
+    /// With which springs on each surface do; left out without springs.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub springs: Vec<SurfaceForce>,
+    /// Body forces, gravity, tractions and pressures.
+    pub loads: Force,
+    /// The size of the sum of all of them, relative to the largest.
+    pub imbalance: f64,
+}
+
+/// A force on a body.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub struct Force {
+    /// Its component along x.
+    pub x: f64,
+    /// Its component along y.
+    pub y: f64,
+    /// Its component along z.
+    pub z: f64,
+}
+
+/// A force on a body from a named surface.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct SurfaceForce {
+    /// The surface, as the config calls it.
+    pub name: String,
+    /// The force there.
+    #[serde(flatten)]
+    pub force: Force,
+}
+
+impl From<[f64; 3]> for Force {
+    fn from([x, y, z]: [f64; 3]) -> Self {
+        Self { x, y, z }
+    }
+}
+
+impl Body<'_> {
+    /// The figures, the fields on vertices and those on tets. `displacement` is
+    /// NaN at vertices of no tet.
+    pub(super) fn describe(
+        &self,
+        displacement: Vec<[f64; 3]>,
+    ) -> Result<(BodyFigures, Vec<Field>, Vec<Field>), Error> {
+        let mesh = self.hierarchy.finest();
+        let topology = &self.hierarchy.topologies[self.hierarchy.topologies.len() - 1];
+        let strain = strains(mesh, &displacement)?;
+        let stress = stresses(mesh, self.problem, &strain)?;
+        let equivalent: Vec<f64> = stress.iter().map(von_mises).collect();
+        let constraints = self.constraints;
+        let forces =
+            Forces::new((mesh, topology), self.problem, constraints, &displacement, &stress)?;
+        let figures = BodyFigures {
+            greatest_von_mises: equivalent.iter().copied().fold(0.0, f64::max),
+            forces: self.force_figures(&forces),
+        };
+        let mut point_fields = vec![field("displacement", &displacement)];
+        for (suffix, regions) in self.sides(mesh.raw()) {
+            let recovery = Recovery::new(mesh, |id| regions.contains(&id));
+            let strain = recovery.at_vertices(&strain)?;
+            let stress = recovery.at_vertices(&stress)?;
+            let equivalent = stress.iter().map(von_mises).collect();
+            point_fields.push(field(&format!("strain{suffix}"), &strain));
+            point_fields.push(field(&format!("stress{suffix}"), &stress));
+            point_fields.push(Field::scalar(format!("von-mises{suffix}"), equivalent));
+        }
+        let cell_fields = vec![
+            field("strain", &strain),
+            field("stress", &stress),
+            Field::scalar("von-mises", equivalent),
+        ];
+        Ok((figures, point_fields, cell_fields))
+    }
+
+    /// The regions that share a material, over whose borders nothing jumps, and
+    /// how fields recovered in them are called: plainly if they are all.
+    fn sides(&self, mesh: &RawMesh) -> Vec<(String, Vec<i32>)> {
+        let material = |id: i32| self.problem.material.of(id);
+        let mut sides: Vec<Vec<i32>> = Vec::new();
+        for id in mesh.ids(3) {
+            match sides.iter_mut().find(|side| material(side[0]) == material(id)) {
+                Some(side) => side.push(id),
+                None => sides.push(vec![id]),
+            }
+        }
+        if sides.len() == 1 {
+            return sides.into_iter().map(|side| (String::new(), side)).collect();
+        }
+        let name = |side: &[i32]| -> String {
+            side.iter().map(|&id| format!("-{}", mesh.group_name(3, id))).collect()
+        };
+        sides.into_iter().map(|side| (name(&side), side)).collect()
+    }
+
+    fn force_figures(&self, forces: &Forces) -> ForceFigures {
+        let mesh = self.hierarchy.finest().raw();
+        // Supports and springs of the problem are those of the config, one for
+        // each id of the surface called so.
+        let supports = self.problem.supports.iter().map(|support| support.surface);
+        let springs = self.problem.springs.iter().map(|(surface, _)| *surface);
+        let fixed = self.options.fixed.iter().map(|at| &at.get_ref().surface);
+        let sprung = self.options.springs.iter().map(|at| &at.surface);
+        ForceFigures {
+            reactions: by_name(mesh, fixed, supports.zip(&forces.supports)),
+            springs: by_name(mesh, sprung, springs.zip(&forces.springs)),
+            loads: forces.loads.into(),
+            imbalance: forces.imbalance(),
+        }
+    }
+}
+
+/// The sum of the forces on all surfaces of each name, in the order of the names.
+fn by_name<'a>(
+    mesh: &RawMesh,
+    names: impl Iterator<Item = &'a Spanned<String>>,
+    forces: impl Iterator<Item = (i32, &'a [f64; 3])> + Clone,
+) -> Vec<SurfaceForce> {
+    let mut all: Vec<SurfaceForce> = Vec::new();
+    for name in names.map(Spanned::get_ref) {
+        if all.iter().any(|known| known.name == *name) {
+            continue;
+        }
+        let ids = mesh.group_ids(2, name);
+        let mine = forces.clone().filter(|(surface, _)| ids.contains(surface));
+        let sum = mine.fold([0.0; 3], |sum, (_, force)| std::array::from_fn(|k| sum[k] + force[k]));
+        all.push(SurfaceForce { name: name.clone(), force: sum.into() });
+    }
+    all
+}
+
+fn field<const K: usize>(name: &str, tuples: &[[f64; K]]) -> Field {
+    let values = Values::Float(tuples.as_flattened().to_vec());
+    Field::new(name, K, values)
+}

@@ -1,0 +1,149 @@
+//! An elastic body from the names that a config uses, and its deformation.
+
+use octruss_mesh::{Hierarchy, RawMesh};
+use octruss_solver::{
+    ByRegion, Constraints, Elasticity, Error as SolverError, Held, Material, Stiffness, Support,
+    VectorSystem, assemble_elasticity, vector,
+};
+
+use super::Context;
+use super::body::Body;
+use super::fixed::Fixed;
+use super::groups::{by_region, on_surfaces};
+use super::multigrid::{Discrete, LevelUnknowns, blank_outside, range};
+use super::solve::{Outcome, Solve, assembled, solve_in_turn};
+use crate::error::Error;
+use crate::recipe::{self, PerRegion, ValueOrVector, VectorValue};
+
+/// Solves the problem that a stage describes on the finest mesh.
+///
+/// # Errors
+/// A surface or region that the mesh does not have, a region without material;
+/// whatever the solver reports.
+pub(super) fn solve(
+    options: &Solve,
+    hierarchy: &Hierarchy,
+    context: &Context,
+) -> Result<Outcome, Error> {
+    let problem = problem(options, hierarchy.finest().raw(), context)?;
+    let (Assembled { discrete, constraints }, assembly_seconds) =
+        assembled(options, context, || discretise(hierarchy, &problem))?;
+    let expand = |x: &[[f64; 3]]| {
+        let mut displacement = constraints.expand(x)?;
+        let length = |u: &[f64; 3]| u.iter().map(|u| u * u).sum::<f64>().sqrt();
+        let range = range(displacement.iter().map(length));
+        blank_outside(&mut displacement, hierarchy.finest(), [f64::NAN; 3]);
+        Ok((displacement, range))
+    };
+    let (displacement, solves) = solve_in_turn(options, hierarchy, &discrete, expand, context)?;
+    let body = Body { options, hierarchy, problem: &problem, constraints: &constraints };
+    let (figures, point_fields, cell_fields) = body
+        .describe(displacement)
+        .map_err(|source| context.solver("stresses and forces", source))?;
+    Ok(Outcome { solves, assembly_seconds, point_fields, cell_fields, body: Some(figures) })
+}
+
+/// The system, and what is held on the finest level.
+struct Assembled {
+    discrete: Discrete<[[f64; 3]; 3]>,
+    constraints: Constraints,
+}
+
+impl AsRef<Discrete<[[f64; 3]; 3]>> for Assembled {
+    fn as_ref(&self) -> &Discrete<[[f64; 3]; 3]> {
+        &self.discrete
+    }
+}
+
+/// The system on the finest level and the unknowns of all.
+fn discretise(hierarchy: &Hierarchy, problem: &Elasticity) -> Result<Assembled, SolverError> {
+    let finest = hierarchy.meshes.len() - 1;
+    let coarse = hierarchy.meshes.iter().zip(&hierarchy.topologies).take(finest);
+    let level = |held: &Constraints| LevelUnknowns {
+        dofs: held.dofs().clone(),
+        projectors: held.projectors(),
+    };
+    let mut levels: Vec<LevelUnknowns<_>> = coarse
+        .map(|(mesh, topology)| {
+            Constraints::new(mesh, topology, &problem.supports).map(|held| level(&held))
+        })
+        .collect::<Result<_, _>>()?;
+    let (mesh, topology) = (&hierarchy.meshes[finest], &hierarchy.topologies[finest]);
+    let VectorSystem { matrix, rhs, constraints } = assemble_elasticity(mesh, topology, problem)?;
+    levels.push(level(&constraints));
+    Ok(Assembled { discrete: Discrete { matrix, rhs, levels }, constraints })
+}
+
+/// The problem that a stage describes, on this mesh.
+fn problem(options: &Solve, mesh: &RawMesh, context: &Context) -> Result<Elasticity, Error> {
+    let zero = vector([0.0; 3]);
+    let loads = options.traction.iter().map(|at| (&at.surface, at.value.to_vector()));
+    let pressures = options.pressure.iter().map(|at| (&at.surface, at.value.to_scalar()));
+    let springs = options.springs.iter().map(|at| (&at.surface, stiffness(&at.stiffness)));
+    let fixed = options.fixed.iter().map(|entry| entry.get_ref());
+    let supports = on_surfaces(fixed.map(|at| (&at.surface, held(at))), mesh, context)?;
+    Ok(Elasticity {
+        material: materials(options, mesh, context)?,
+        body_force: by_region(&options.body_force, VectorValue::to_vector, zero, mesh, context)?,
+        gravity: options.gravity.to_vector(),
+        traction: on_surfaces(loads, mesh, context)?,
+        pressure: on_surfaces(pressures, mesh, context)?,
+        springs: on_surfaces(springs, mesh, context)?,
+        supports: supports.into_iter().map(|(surface, held)| Support { surface, held }).collect(),
+    })
+}
+
+/// The material of each region; every region in use must have one.
+fn materials(
+    options: &Solve,
+    mesh: &RawMesh,
+    context: &Context,
+) -> Result<ByRegion<Material>, Error> {
+    let given = options
+        .material
+        .as_ref()
+        .ok_or_else(|| context.request("problem = \"elasticity\" needs `material`".into()))?;
+    let convert = |material: &recipe::Material| Material {
+        young: material.young.to_scalar(),
+        poisson: material.poisson.to_scalar(),
+        density: material.density.to_scalar(),
+    };
+    // Stands where nothing is given, which is refused below.
+    let none = Material::new(f64::NAN, f64::NAN);
+    let materials = by_region(given, convert, none, mesh, context)?;
+    let has_default = match given {
+        PerRegion::Uniform(_) => true,
+        PerRegion::Named(named) => {
+            named.iter().any(|(name, _)| name.get_ref() == PerRegion::<recipe::Material>::DEFAULT)
+        }
+    };
+    let named = |id: &i32| materials.regions.iter().any(|(region, _)| region == id);
+    match mesh.ids(3).into_iter().find(|id| !has_default && !named(id)) {
+        None => Ok(materials),
+        Some(id) => {
+            let name = mesh.group_name(3, id);
+            Err(context.request(format!(
+                "region `{name}` has no material: give it one in `material`, or one for all \
+                 others as `default`"
+            )))
+        }
+    }
+}
+
+/// What an entry of `fixed` holds; that it says so in one way is checked when
+/// the config is read.
+fn held(fixed: &Fixed) -> Held {
+    let Fixed { value, x, y, z, normal, .. } = fixed;
+    match (value, normal) {
+        (Some(ValueOrVector::Other(value)), _) => Held::Components(value.to_vector().map(Some)),
+        (_, Some(normal)) => Held::Normal(normal.to_scalar()),
+        _ => Held::Components([x, y, z].map(|value| value.as_ref().map(recipe::Value::to_scalar))),
+    }
+}
+
+fn stiffness(given: &ValueOrVector) -> Stiffness {
+    match given {
+        ValueOrVector::One(value) => Stiffness::Normal(value.to_scalar()),
+        ValueOrVector::Other(vector) => Stiffness::Axes(vector.to_vector()),
+    }
+}

@@ -1,0 +1,92 @@
+//! What acts on a Poisson problem from outside: sources, fluxes, exchange.
+
+use crate::blame;
+use crate::error::Error;
+use crate::foundation::Foundation;
+use crate::load::{add_at, tet_load, triangle_load};
+use crate::problem::{Poisson, Robin};
+use crate::scalar::Scalar;
+use crate::scatter::Scatter;
+use crate::surface::{check_attached, triangles_of};
+use octruss_mesh::{TetMesh, Topology};
+use std::cell::Cell;
+use std::slice::from_ref;
+
+/// ∫ f φ + ∫ g φ + ∫ c u₀ φ over body and surfaces, for each vertex.
+pub(crate) fn load_vector(
+    mesh: &TetMesh,
+    topology: &Topology,
+    problem: &Poisson,
+) -> Result<Vec<f64>, Error> {
+    problem.source.check(mesh)?;
+    let mut load = if problem.source.all(Scalar::is_zero) {
+        vec![[0.0]; mesh.points().len()]
+    } else {
+        Scatter::new(mesh.tets(), mesh.points().len()).sum(|tet| {
+            let source = problem.source.of(mesh.regions()[tet]);
+            let place = (mesh.corners(tet), mesh.volume(tet));
+            tet_load(place, source.is_constant(), |p| [source.at(p)])
+        })
+    };
+    let mut add = |surface: i32, is_constant: bool, flux: &dyn Fn([f64; 3]) -> f64| {
+        check_attached(mesh, topology, surface)?;
+        for triangle in triangles_of(mesh, surface) {
+            let corners = triangle.map(|v| mesh.points()[v as usize]);
+            add_at(&mut load, triangle, triangle_load(corners, is_constant, |p| [flux(p)]));
+        }
+        Ok::<_, Error>(())
+    };
+    for (surface, flux) in &problem.flux {
+        add(*surface, flux.is_constant(), &|p| flux.at(p))?;
+    }
+    for (surface, Robin { coefficient, value }) in &problem.robin {
+        let is_constant = coefficient.is_constant() && value.is_constant();
+        add(*surface, is_constant, &|p| coefficient.at(p) * value.at(p))?;
+    }
+    Ok(load.into_flattened())
+}
+
+/// Which source, flux or surrounding value is not finite.
+pub(crate) fn blame_load(mesh: &TetMesh, problem: &Poisson) -> Result<(), Error> {
+    blame::in_tets(mesh, "source", |region| from_ref(problem.source.of(region)))?;
+    for (surface, flux) in &problem.flux {
+        blame::on_surface(mesh, "flux", *surface, from_ref(flux))?;
+    }
+    for (surface, robin) in &problem.robin {
+        blame::on_surface(mesh, "Robin value", *surface, from_ref(&robin.value))?;
+    }
+    Ok(())
+}
+
+/// Adds ∫ c φa φb to the couplings; returns the row sums ∫ c φa.
+pub(crate) fn add_robin(
+    mesh: &TetMesh,
+    topology: &Topology,
+    robin: &[(i32, Robin)],
+    couplings: &mut [[f64; 1]],
+) -> Result<Vec<[f64; 1]>, Error> {
+    let mut foundation = Foundation::new(topology, couplings);
+    for (surface, Robin { coefficient, .. }) in robin {
+        check_attached(mesh, topology, *surface)?;
+        let first_bad = Cell::new(None);
+        let c = |position: [f64; 3]| {
+            let c = coefficient.at(position);
+            if !(c >= 0.0 && c.is_finite()) && first_bad.get().is_none() {
+                first_bad.set(Some(position));
+            }
+            [c]
+        };
+        for triangle in triangles_of(mesh, *surface) {
+            foundation.add(triangle, triangle.map(|v| mesh.points()[v as usize]), c);
+        }
+        if let Some(position) = first_bad.get() {
+            return Err(Error::SurfaceCoefficient {
+                what: "Robin coefficient",
+                surface: *surface,
+                told: coefficient.told_at(position),
+                expected: "0 or more",
+            });
+        }
+    }
+    Ok(foundation.into_row_sums())
+}

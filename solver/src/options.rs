@@ -29,6 +29,11 @@ pub enum Smoother {
     L1Jacobi,
 }
 
+impl Smoother {
+    /// Degree 3 on the upper nine tenths of the interval.
+    pub const CHEBYSHEV: Self = Self::Chebyshev { degree: 3, lower: 0.1 };
+}
+
 /// Which diagonal a smoother of a matrix of blocks inverts; of a matrix of numbers
 /// both are the same. Gauss–Seidel always solves blocks.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -82,7 +87,7 @@ impl Default for MultigridOptions {
     /// blocks, single precision.
     fn default() -> Self {
         Self {
-            smoother: Smoother::Chebyshev { degree: 3, lower: 0.1 },
+            smoother: Smoother::CHEBYSHEV,
             diagonal: DiagonalKind::Block,
             shape: CycleShape::V,
             before: 1,

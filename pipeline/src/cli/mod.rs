@@ -13,6 +13,7 @@ mod refine;
 mod run;
 mod sound_mesh;
 mod spectrum;
+mod traffic;
 mod vertex_place;
 
 use std::io::{self, Write};

@@ -7,7 +7,7 @@ use octruss::recipe::{ConfigError, Place};
 use octruss::{Error, Recipe, Report, amount};
 
 use super::progress::Display;
-use super::{Threads, comparison};
+use super::{Threads, comparison, traffic};
 
 /// Run configs: import, check, subdivide, solve, write, compare with what is expected
 #[derive(clap::Args)]
@@ -94,6 +94,7 @@ impl Run {
 /// Prints what a run found; tells how it went, as exit code and in words.
 fn conclude(report: &Report) -> anyhow::Result<(u8, String)> {
     super::print(&comparison::of_solves(report))?;
+    super::print(&traffic::of_solves(report))?;
     let missed: Vec<_> = report.expectations.iter().filter(|outcome| !outcome.met).collect();
     for outcome in &missed {
         super::say(&format!("error: expectation missed: {outcome}"));

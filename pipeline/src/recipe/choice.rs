@@ -59,12 +59,20 @@ impl<T: Choice> FromStr for Named<T> {
     type Err = String;
 
     fn from_str(name: &str) -> Result<Self, String> {
-        let found = T::ALL.iter().find(|choice| choice.name() == name);
-        found.map(|&choice| Self(choice)).ok_or_else(|| {
-            let valid: Vec<&str> = T::ALL.iter().map(|choice| choice.name()).collect();
-            format!("unknown {} `{name}`{}", T::WHAT, suggestion(name, &valid))
-        })
+        by_name(name).map(Self).ok_or_else(|| unknown::<T>(name, &[]))
     }
+}
+
+/// The choice of this name, if there is one.
+pub(super) fn by_name<T: Choice>(name: &str) -> Option<T> {
+    T::ALL.iter().copied().find(|choice| choice.name() == name)
+}
+
+/// The message about a name that is none, where `others` are valid, too.
+pub(super) fn unknown<T: Choice>(name: &str, others: &[&str]) -> String {
+    let names = T::ALL.iter().map(|choice| choice.name());
+    let valid: Vec<&str> = others.iter().copied().chain(names).collect();
+    format!("unknown {} `{name}`{}", T::WHAT, suggestion(name, &valid))
 }
 
 impl<'de, T: Choice> Deserialize<'de> for Named<T> {

@@ -7,6 +7,7 @@
 //! Every value keeps its place in the text up to the end, so that each error
 //! points at a file, a line and a key.
 
+mod auto;
 mod choice;
 mod error;
 mod expect;
@@ -18,12 +19,15 @@ mod nearest;
 mod override_;
 mod parse;
 mod per_region;
+mod solver_choice;
 mod source;
+mod sweeps;
 mod value;
 mod value_or;
 
 use std::path::{Path, PathBuf};
 
+pub use auto::Auto;
 pub use choice::{Choice, Named, SchemeName};
 pub use error::{ConfigError, Place};
 pub use expect::{Bounds, Expectation, Outcome, compare};
@@ -32,6 +36,7 @@ pub use min_quality::MinQuality;
 pub use nearest::suggestion;
 pub use per_region::{PerRegion, Regional};
 pub use source::Source;
+pub use sweeps::Sweeps;
 pub use value::{Degrees, Fraction, Positive, Value, VectorValue};
 pub use value_or::{ValueOr, ValueOrVector};
 

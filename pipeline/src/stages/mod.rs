@@ -1,6 +1,7 @@
 //! The steps of a run: one file each, with its options, what it does and what
 //! it reports.
 
+mod account;
 mod body;
 mod carried_fields;
 mod check;
@@ -10,6 +11,7 @@ mod fixed;
 mod groups;
 mod import;
 mod jumps;
+mod method;
 mod multigrid;
 mod on_surface;
 mod poisson;
@@ -24,11 +26,13 @@ use std::path::Path;
 use serde::{Deserialize, Serialize};
 use toml::Spanned;
 
+pub use account::{AccountFigures, KernelFigures};
 pub use body::{BodyFigures, Force, ForceFigures, SurfaceForce};
 pub use carried_fields::{CarriedFields, FieldFigures};
 pub use check::{Check, CheckReport};
 pub use fixed::Fixed;
 pub use import::{Import, ImportReport};
+pub use method::{Method, MethodFigures};
 pub use multigrid::SolveFigures;
 pub use on_surface::{OnSurface, Robin, Springs, VectorOnSurface};
 pub use solve::{Problem, Solve, SolveReport};
@@ -159,7 +163,11 @@ impl Stage {
         key: &str,
         option: impl Fn(&str) -> Option<&'a str>,
     ) -> Option<String> {
-        (kind == "solve").then(|| Problem::misplaced(key, option("problem"))).flatten()
+        if kind != "solve" {
+            return None;
+        }
+        Problem::misplaced(key, option("problem"))
+            .or_else(|| Solve::misplaced_degree(key, option("smoother")))
     }
 
     /// Does it.

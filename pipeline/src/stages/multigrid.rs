@@ -5,13 +5,12 @@ use std::ops::ControlFlow;
 use std::time::Instant;
 
 use octruss_mesh::{Hierarchy, Scheme, SubdivisionMatrix, TetMesh, linear_matrix};
-use octruss_solver::{
-    Csr, Dofs, Entry, Error, Multigrid, MultigridOptions, Smoother, SolveOptions,
-    conjugate_gradients, restrict_to_free,
-};
+use octruss_solver::{Csr, Dofs, Entry, Error, Multigrid, SolveOptions, restrict_to_free};
 use serde::Serialize;
 
 use super::Context;
+use super::account::{AccountFigures, REPEATS};
+use super::method::MethodFigures;
 use super::solve::Solve;
 use crate::progress::News;
 
@@ -22,6 +21,9 @@ pub struct SolveFigures {
     pub name: &'static str,
     /// The scheme whose matrices prolong.
     pub prolongation: &'static str,
+    /// What it was done with.
+    #[serde(flatten)]
+    pub method: MethodFigures,
     /// Free unknowns on the finest level.
     pub unknowns: usize,
     /// How many levels the cycle has.
@@ -37,7 +39,7 @@ pub struct SolveFigures {
     /// For each transfer, the coarsest first, how far it misses linear functions,
     /// in mean edge lengths.
     pub affine_defects: Vec<f64>,
-    /// Conjugate-gradient iterations, one cycle each.
+    /// Iterations, one cycle each.
     pub iterations: usize,
     /// ‖b − A x‖ / ‖b‖ at the end.
     pub relative_residual: f64,
@@ -56,6 +58,9 @@ pub struct SolveFigures {
     pub setup_seconds: f64,
     /// Iterating.
     pub solve_seconds: f64,
+    /// Bytes and bandwidth of each kernel of a cycle, if asked for.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub account: Option<AccountFigures>,
 }
 
 impl SolveFigures {
@@ -119,8 +124,8 @@ pub fn solve_with<E: Entry<Real = f64>>(
     let Discrete { matrix, rhs, levels } = discrete;
     let prolongations = prolongations(&matrices, levels)?;
     let projectors = levels.iter().rev().map(|level| level.projectors.clone()).collect();
-    let mut multigrid =
-        Multigrid::constrained(matrix, prolongations, projectors, &multigrid_options(options))?;
+    let cycle = options.multigrid_options();
+    let mut multigrid = Multigrid::constrained(matrix, prolongations, projectors, &cycle)?;
     let setup_seconds = start.elapsed().as_secs_f64();
     let tell = |iteration: usize, residual: f64| {
         context
@@ -133,7 +138,8 @@ pub fn solve_with<E: Entry<Real = f64>>(
         max_iterations: options.max_iterations,
         progress: Some(&tell),
     };
-    let (x, report) = conjugate_gradients(matrix, rhs, &mut multigrid, &stop)?;
+    let (x, report) = options.iterate((matrix, rhs), &mut multigrid, &stop)?;
+    let account = options.account.then(|| multigrid.account(REPEATS).into());
     let digits = -report.relative_residual.log10();
     let cycles = report.iterations as f64;
     let defect = |(transfer, matrix): (usize, &Cow<SubdivisionMatrix>)| {
@@ -142,6 +148,7 @@ pub fn solve_with<E: Entry<Real = f64>>(
     let figures = SolveFigures {
         name: scheme.name(),
         prolongation: scheme.name(),
+        method: options.method_figures(&multigrid),
         unknowns: discrete.unknowns(),
         levels: multigrid.levels().len(),
         nonzeros: multigrid.levels()[0].nonzeros,
@@ -158,6 +165,7 @@ pub fn solve_with<E: Entry<Real = f64>>(
         maximum: 0.0,
         setup_seconds,
         solve_seconds: report.solve_seconds,
+        account,
     };
     Ok((x, figures))
 }
@@ -197,16 +205,4 @@ fn prolongations<E>(
 ) -> Result<Vec<Csr<f64>>, Error> {
     let transfers = matrices.iter().zip(levels.windows(2)).rev();
     transfers.map(|(matrix, pair)| restrict_to_free(matrix, &pair[1].dofs, &pair[0].dofs)).collect()
-}
-
-fn multigrid_options(options: &Solve) -> MultigridOptions {
-    let defaults = MultigridOptions::default();
-    let smoother = match defaults.smoother {
-        Smoother::Chebyshev { lower, .. } => {
-            Smoother::Chebyshev { degree: options.smoothing_degree.get().into(), lower }
-        }
-        other => other,
-    };
-    let sweeps = options.sweeps.get().into();
-    MultigridOptions { smoother, before: sweeps, after: sweeps, ..defaults }
 }

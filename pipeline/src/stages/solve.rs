@@ -6,24 +6,27 @@ use std::time::Instant;
 
 use octruss_mesh::{FeatureOptions, Hierarchy, Scheme};
 use octruss_meshio::Field;
-use octruss_solver::{Entry, Error as SolverError};
+use octruss_solver::{CycleShape, Entry, Error as SolverError, Precision, Smoother};
 use serde::{Deserialize, Serialize};
 use toml::Spanned;
 
 use super::body::BodyFigures;
 use super::fixed::Fixed;
+use super::method::Method;
 use super::multigrid::{Discrete, SolveFigures, solve_with};
 use super::on_surface::{OnSurface, Robin, Springs, VectorOnSurface};
 use super::{Context, elasticity, poisson};
 use crate::amount::short;
 use crate::error::Error;
-use crate::recipe::{Material, Named, PerRegion, Positive, SchemeName, Value, VectorValue};
+use crate::recipe::{
+    Auto, Material, Named, PerRegion, Positive, SchemeName, Sweeps, Value, VectorValue,
+};
 use crate::state::State;
 
 /// Solves a problem on the finest mesh by conjugate gradients with a multigrid
-/// V-cycle over all levels, in turn with each prolongation. The first solution
-/// becomes the field `solution` (of a second such stage `solution-2`), with NaN
-/// at vertices of free-standing triangles and edges, which no tet uses. Of
+/// cycle over all levels, or by cycles alone, in turn with each prolongation. The
+/// first solution becomes the field `solution` (of a second such stage `solution-2`),
+/// with NaN at vertices of free-standing triangles and edges, which no tet uses. Of
 /// elasticity these are `displacement`, and `strain`, `stress` and `von-mises` on
 /// tets and recovered at vertices; there one of each material, where there are
 /// several, as `stress-REGION`, NaN at vertices without it. Components of tensors
@@ -62,10 +65,20 @@ pub struct Solve {
     pub tolerance: Positive,
     /// Give up after so many iterations.
     pub max_iterations: usize,
-    /// The degree of the Chebyshev smoother.
-    pub smoothing_degree: NonZeroU8,
-    /// Smoothing sweeps before, and again after, each coarse correction.
-    pub sweeps: NonZeroU8,
+    /// What the cycle is used for; `auto` is conjugate gradients.
+    pub method: Auto<Method>,
+    /// The shape of the cycle; `auto` is V.
+    pub cycle: Auto<CycleShape>,
+    /// What a smoothing sweep is; `auto` is Chebyshev.
+    pub smoother: Auto<Smoother>,
+    /// The degree of the Chebyshev smoother; 3 if not given.
+    pub smoothing_degree: Option<NonZeroU8>,
+    /// Smoothing sweeps before and after each coarse correction.
+    pub sweeps: Sweeps,
+    /// The precision inside the cycle; `auto` is single.
+    pub precision: Auto<Precision>,
+    /// Measure bytes and bandwidth of each kernel after solving.
+    pub account: bool,
 }
 
 /// The equations that can be solved.
@@ -121,8 +134,13 @@ impl Default for Solve {
             prolongation: vec![Named(Scheme::BoxSpline), Named(Scheme::Linear)],
             tolerance: Positive(options.tolerance),
             max_iterations: options.max_iterations,
-            smoothing_degree: NonZeroU8::MIN.saturating_add(2),
-            sweeps: NonZeroU8::MIN,
+            method: Auto(None),
+            cycle: Auto(None),
+            smoother: Auto(None),
+            smoothing_degree: None,
+            sweeps: Sweeps([1, 1]),
+            precision: Auto(None),
+            account: false,
         }
     }
 }

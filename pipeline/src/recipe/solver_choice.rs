@@ -1,0 +1,42 @@
+//! Closed choices of the solver crate, by name.
+
+use octruss_solver::{CycleShape, Precision, Smoother};
+
+use super::choice::Choice;
+
+/// Each with its usual parameters.
+impl Choice for Smoother {
+    const WHAT: &'static str = "smoother";
+    const ALL: &'static [Self] =
+        &[Self::CHEBYSHEV, Self::GaussSeidel, Self::ColouredGaussSeidel, Self::L1Jacobi];
+    fn name(self) -> &'static str {
+        match self {
+            Self::Chebyshev { .. } => "chebyshev",
+            Self::GaussSeidel => "gauss-seidel",
+            Self::ColouredGaussSeidel => "coloured-gauss-seidel",
+            Self::L1Jacobi => "l1-jacobi",
+        }
+    }
+}
+
+impl Choice for CycleShape {
+    const WHAT: &'static str = "cycle";
+    const ALL: &'static [Self] = &[Self::V, Self::W];
+    fn name(self) -> &'static str {
+        match self {
+            Self::V => "v",
+            Self::W => "w",
+        }
+    }
+}
+
+impl Choice for Precision {
+    const WHAT: &'static str = "precision";
+    const ALL: &'static [Self] = &[Self::Single, Self::Double];
+    fn name(self) -> &'static str {
+        match self {
+            Self::Single => "single",
+            Self::Double => "double",
+        }
+    }
+}

@@ -6,6 +6,7 @@ use octruss_mesh::SubdivideError;
 use octruss_mesh::check::CheckError;
 
 use crate::recipe::ConfigError;
+use crate::report::Unfinished;
 
 /// Why a run stopped.
 #[derive(Debug, thiserror::Error)]
@@ -42,6 +43,15 @@ pub enum Error {
         what: String,
         /// What stopped it.
         source: octruss_solver::Error,
+    },
+    /// A solve was asked to stop; its best iterate is kept.
+    #[error(transparent)]
+    Unfinished(Box<Unfinished>),
+    /// The run was asked to stop between two stages.
+    #[error("stopped on request before stage `{stage}`")]
+    Stopped {
+        /// The label of the stage that did not begin.
+        stage: String,
     },
     /// A stage asks for something that its mesh or its levels do not offer.
     #[error("stage `{stage}`: {message}")]

@@ -25,17 +25,25 @@ pub fn check_folder(folder: &Path) -> Result<(), Error> {
     Ok(())
 }
 
-/// Removes the `report.json` of an earlier run, so that none is left to be
-/// taken for that of a run which fails.
+/// The best iterate of a solve that was asked to stop.
+pub const UNFINISHED: &str = "unfinished.vtu";
+
+/// Removes `report.json` and `unfinished.vtu` of an earlier run, so that none is
+/// left to be taken for that of this one.
 ///
 /// # Errors
 /// If there is one that the system does not let go.
-pub fn remove_report(folder: &Path) -> Result<(), Error> {
-    let path = folder.join("report.json");
-    match std::fs::remove_file(&path) {
-        Err(error) if path.exists() => Err(Error::Output { path, reason: error.to_string() }),
-        _ => Ok(()),
+pub fn remove_earlier(folder: &Path) -> Result<(), Error> {
+    for name in ["report.json", UNFINISHED] {
+        let path = folder.join(name);
+        match std::fs::remove_file(&path) {
+            Err(error) if path.exists() => {
+                return Err(Error::Output { path, reason: error.to_string() });
+            }
+            _ => {}
+        }
     }
+    Ok(())
 }
 
 /// Makes the output folder.

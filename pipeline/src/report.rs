@@ -1,6 +1,8 @@
 //! What a run did, as `report.json` tells it. The names of the keys are a
 //! promise to scripts.
 
+use std::path::PathBuf;
+
 use serde::Serialize;
 use serde_json::Value;
 
@@ -23,8 +25,33 @@ pub struct Report {
     pub peak_memory_bytes: Option<u64>,
     /// In the order in which they ran.
     pub stages: Vec<StageReport>,
-    /// What was expected, with what was measured.
+    /// What was expected, with what was measured; empty of a run that was stopped.
     pub expectations: Vec<Outcome>,
+    /// The solve that was asked to stop, if one was; `stages` are those before it.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub unfinished: Option<Unfinished>,
+}
+
+/// A solve that stopped between two iterations because it was asked to.
+#[derive(Debug, Clone, PartialEq, Serialize, thiserror::Error)]
+#[error(
+    "stage `{stage}`, {what}: stopped on request after {iterations} iterations at a relative \
+     residual of {relative_residual:.3e}; the iterate is in {}",
+    .file.display()
+)]
+pub struct Unfinished {
+    /// The stage's label.
+    pub stage: String,
+    /// Which of its solves.
+    pub what: String,
+    /// Iterations done.
+    pub iterations: usize,
+    /// ‖b − A x‖ / ‖b‖ of the iterate that was kept.
+    pub relative_residual: f64,
+    /// Relative residuals from 1 on, one more than iterations.
+    pub residual_history: Vec<f64>,
+    /// The finest mesh with the iterate.
+    pub file: PathBuf,
 }
 
 /// What one stage did.

@@ -1,6 +1,7 @@
 //! The run: a loop over stages.
 
 use std::path::Path;
+use std::sync::atomic::AtomicBool;
 use std::time::Instant;
 
 use crate::error::Error;
@@ -14,18 +15,33 @@ use crate::{memory, output};
 /// Runs a recipe's stages in order, writes `report.json` into `output_folder`
 /// (made if missing) and compares the report with what was expected.
 ///
-/// Missed expectations are no error: they are in [`Report::expectations`].
+/// Missed expectations are no error: they are in [`Report::expectations`]. Once
+/// `stop` is true, the run ends before the next stage, and a solve after the
+/// iteration that it is at.
 ///
 /// # Errors
 /// Whatever stops a stage, and then there is no report, not even that of an
-/// earlier run; an output folder that cannot be written, before anything runs; an expectation of a number that the
+/// earlier run, unless it is [`Error::Unfinished`]; an output folder that cannot be
+/// written, before anything runs; an expectation of a number that the
 /// report does not have, after the report is written.
-pub fn run(recipe: &Recipe, output_folder: &Path, listener: &Listener) -> Result<Report, Error> {
+pub fn run(
+    recipe: &Recipe,
+    output_folder: &Path,
+    listener: &Listener,
+    stop: &AtomicBool,
+) -> Result<Report, Error> {
     output::check_folder(output_folder)?;
-    output::remove_report(output_folder)?;
+    output::remove_earlier(output_folder)?;
     let start = Instant::now();
     let folders = [&recipe.folder, output_folder];
-    let (_, stages) = run_stages(&recipe.stages, Some(&recipe.source), folders, listener)?;
+    let mut stages = Vec::new();
+    let source = Some(&recipe.source);
+    let unfinished = match run_into(&mut stages, &recipe.stages, source, folders, (listener, stop))
+    {
+        Ok(_) => None,
+        Err(Error::Unfinished(solve)) => Some(solve),
+        Err(error) => return Err(error),
+    };
     let mut report = Report {
         octruss: env!("CARGO_PKG_VERSION"),
         config: recipe.name.clone(),
@@ -34,7 +50,12 @@ pub fn run(recipe: &Recipe, output_folder: &Path, listener: &Listener) -> Result
         peak_memory_bytes: memory::peak_bytes(),
         stages,
         expectations: Vec::new(),
+        unfinished: unfinished.as_deref().cloned(),
     };
+    if let Some(solve) = unfinished {
+        output::write_report(output_folder, &report)?;
+        return Err(Error::Unfinished(solve));
+    }
     let compared = compare(&recipe.expectations, &report);
     report.expectations = compared.as_ref().map_or_else(|_| Vec::new(), Clone::clone);
     output::write_report(output_folder, &report)?;
@@ -42,22 +63,36 @@ pub fn run(recipe: &Recipe, output_folder: &Path, listener: &Listener) -> Result
     Ok(report)
 }
 
-/// Runs stages in order; returns what they made and what they did. `source` is
-/// the config that they come from, if any; the folders are those of input and output.
+/// Runs stages in order; returns what they made. `source` is the config that they
+/// come from, if any; the folders are those of input and output.
 ///
 /// # Errors
 /// Whatever stops a stage.
 pub fn run_stages(
     stages: &[Stage],
     source: Option<&Source>,
-    [input_folder, output_folder]: [&Path; 2],
+    folders: [&Path; 2],
     listener: &Listener,
-) -> Result<(State, Vec<StageReport>), Error> {
+) -> Result<State, Error> {
+    run_into(&mut Vec::new(), stages, source, folders, (listener, &AtomicBool::new(false)))
+}
+
+/// As [`run_stages`], until asked to stop; adds to `reports` what each stage did,
+/// also where a later one fails.
+fn run_into(
+    reports: &mut Vec<StageReport>,
+    stages: &[Stage],
+    source: Option<&Source>,
+    [input_folder, output_folder]: [&Path; 2],
+    (listener, stop): (&Listener, &AtomicBool),
+) -> Result<State, Error> {
     let mut state = State::default();
-    let mut reports = Vec::new();
     for (index, (stage, label)) in stages.iter().zip(stage_labels(stages)).enumerate() {
         let progress = Progress { stage: index + 1, stages: stages.len(), label: &label, listener };
-        let context = Context { input_folder, output_folder, source, progress };
+        let context = Context { input_folder, output_folder, source, progress, stop };
+        if context.asked_to_stop() {
+            return Err(Error::Stopped { stage: label });
+        }
         context.progress.tell(News::Started);
         let start = Instant::now();
         let done = stage.run(&mut state, &context)?;
@@ -65,5 +100,5 @@ pub fn run_stages(
         context.progress.tell(News::Finished { summary: done.summary(), seconds });
         reports.push(StageReport { name: label, seconds, done });
     }
-    Ok((state, reports))
+    Ok(state)
 }

@@ -8,6 +8,7 @@ mod card;
 mod comparison;
 mod convert;
 mod info;
+mod interrupt;
 mod progress;
 mod refine;
 mod run;

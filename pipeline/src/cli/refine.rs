@@ -92,7 +92,7 @@ impl Refine {
         ];
         let here = Path::new("");
         let display = Display::new(self.quiet);
-        let (state, _) = run_stages(&stages, None, [here, here], &|stage, stages, label, news| {
+        let state = run_stages(&stages, None, [here, here], &|stage, stages, label, news| {
             display.show(stage, stages, label, news);
         })?;
         for field in &state.sided_fields.fields {

@@ -2,12 +2,13 @@
 
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
+use std::sync::atomic::{AtomicBool, Ordering};
 
 use octruss::recipe::{ConfigError, Place};
 use octruss::{Error, Recipe, Report, amount};
 
 use super::progress::Display;
-use super::{Threads, comparison, traffic};
+use super::{Threads, comparison, interrupt, traffic};
 
 /// Run configs: import, check, subdivide, solve, write, compare with what is expected
 #[derive(clap::Args)]
@@ -17,7 +18,8 @@ use super::{Threads, comparison, traffic};
     octruss run configs/quickstart.toml --set stage.subdivide.levels=1 --set expect={}\n\n\
     A key of --set is a path of names joined by dots. A stage goes by its kind (the second\n\
     solve by `solve-2`), entries of other lists by their number from 0. Report and files go\n\
-    to out/NAME, or with --out DIR to DIR, with several configs to DIR/NAME.")]
+    to out/NAME, or with --out DIR to DIR, with several configs to DIR/NAME. Ctrl-C ends a\n\
+    solve between iterations and keeps its iterate as unfinished.vtu; a second one ends at once.")]
 pub struct Run {
     /// Config files
     #[arg(required = true, value_name = "CONFIG")]
@@ -41,12 +43,18 @@ impl Run {
         let recipes = self.recipes()?;
         let mut summary = Vec::new();
         let mut worst = 0;
+        let stop = interrupt::flag()?;
         for recipe in &recipes {
+            if stop.load(Ordering::Relaxed) {
+                summary.push(format!("{}: not run\n", recipe.name));
+                worst = worst.max(1);
+                continue;
+            }
             let folder = self.output_folder(&recipe.name);
             if recipes.len() > 1 && !self.quiet {
                 super::say(&format!("── {} ──", recipe.name));
             }
-            let outcome = self.threads.install(|| self.run_one(recipe, &folder))?;
+            let outcome = self.threads.install(|| self.run_one(recipe, &folder, &stop))?;
             let (code, words) = match outcome {
                 Ok(report) => conclude(&report)?,
                 Err(error) => {
@@ -83,11 +91,12 @@ impl Run {
         }
     }
 
-    fn run_one(&self, recipe: &Recipe, folder: &Path) -> Result<Report, Error> {
+    fn run_one(&self, recipe: &Recipe, folder: &Path, stop: &AtomicBool) -> Result<Report, Error> {
         let display = Display::new(self.quiet);
-        octruss::run(recipe, folder, &|stage, stages, label, news| {
+        let listener = |stage: usize, stages: usize, label: &str, news| {
             display.show(stage, stages, label, news);
-        })
+        };
+        octruss::run(recipe, folder, &listener, stop)
     }
 }
 

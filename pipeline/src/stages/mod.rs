@@ -18,10 +18,12 @@ mod poisson;
 mod solve;
 mod subdivide;
 mod subdivide_report;
+mod unfinished;
 mod write;
 
 use std::ops::Range;
 use std::path::Path;
+use std::sync::atomic::{AtomicBool, Ordering};
 
 use serde::{Deserialize, Serialize};
 use toml::Spanned;
@@ -89,9 +91,16 @@ pub struct Context<'a> {
     pub source: Option<&'a Source>,
     /// Whom to tell how far it is.
     pub progress: Progress<'a>,
+    /// Whether to end as soon as possible.
+    pub stop: &'a AtomicBool,
 }
 
 impl Context<'_> {
+    /// Whether to end as soon as possible.
+    pub fn asked_to_stop(&self) -> bool {
+        self.stop.load(Ordering::Relaxed)
+    }
+
     /// Tells what the user should know, quiet or not.
     fn remark(&self, notes: &[String]) {
         notes.iter().for_each(|note| self.progress.tell(News::Remark(note.clone())));

@@ -131,7 +131,7 @@ pub fn solve_with<E: Entry<Real = f64>>(
         context
             .progress
             .tell(News::Note(format!("iteration {iteration}, residual {residual:.1e}")));
-        ControlFlow::Continue(())
+        if context.asked_to_stop() { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
     };
     let stop = SolveOptions {
         tolerance: options.tolerance.0,

@@ -5,8 +5,8 @@ use std::ops::Range;
 use std::time::Instant;
 
 use octruss_mesh::{FeatureOptions, Hierarchy, Scheme};
-use octruss_meshio::Field;
-use octruss_solver::{CycleShape, Entry, Error as SolverError, Precision, Smoother};
+use octruss_meshio::{Field, Values};
+use octruss_solver::{CycleShape, Entry, Error as SolverError, Nodal, Precision, Smoother};
 use serde::{Deserialize, Serialize};
 use toml::Spanned;
 
@@ -15,6 +15,7 @@ use super::fixed::Fixed;
 use super::method::Method;
 use super::multigrid::{Discrete, SolveFigures, solve_with};
 use super::on_surface::{OnSurface, Robin, Springs, VectorOnSurface};
+use super::unfinished::keep;
 use super::{Context, elasticity, poisson};
 use crate::amount::short;
 use crate::error::Error;
@@ -238,7 +239,16 @@ pub(super) fn solve_in_turn<E: Entry<Real = f64>>(
         let what = format!("{} prolongation", scheme.name());
         let (solution, figures) = context.progress.step(index + 2, steps, &what, || {
             let solved = solve_with(options, scheme, hierarchy, discrete, context);
-            let (x, mut figures) = solved.map_err(|source| context.solver(&what, source))?;
+            let (x, mut figures) = solved.map_err(|source| match source {
+                SolverError::Stopped(at) => match expand(&of_rows(&at.iterate)) {
+                    Ok((values, _)) => {
+                        let field = options.problem.field_of(Nodal::flat(&values));
+                        keep(field, at.report, hierarchy.finest(), &what, context)
+                    }
+                    Err(source) => context.solver(&what, source),
+                },
+                source => context.solver(&what, source),
+            })?;
             let (solution, range) = expand(&x).map_err(|source| context.solver(&what, source))?;
             [figures.minimum, figures.maximum] = range;
             let result = figures.result();
@@ -248,6 +258,11 @@ pub(super) fn solve_in_turn<E: Entry<Real = f64>>(
         all.push(figures);
     }
     Ok((first.unwrap_or_default(), all))
+}
+
+/// A vector from its numbers, row by row.
+fn of_rows<V: Nodal<Real = f64>>(numbers: &[f64]) -> Vec<V> {
+    numbers.chunks_exact(V::SIZE).map(|row| V::from_fn(|k| row[k])).collect()
 }
 
 impl Problem {
@@ -265,6 +280,14 @@ impl Problem {
         match self {
             Self::Poisson => "poisson",
             Self::Elasticity => "elasticity",
+        }
+    }
+
+    /// Its solution at vertices, from the numbers one after the other.
+    fn field_of(self, numbers: &[f64]) -> Field {
+        match self {
+            Self::Poisson => Field::scalar("solution", numbers.to_vec()),
+            Self::Elasticity => Field::new("displacement", 3, Values::Float(numbers.to_vec())),
         }
     }
 

@@ -1,0 +1,37 @@
+//! What is kept of a solve that was asked to stop.
+
+use octruss_mesh::TetMesh;
+use octruss_meshio::{Dataset, Field, vtu};
+use octruss_solver::SolveReport;
+
+use super::Context;
+use crate::error::Error;
+use crate::output::{UNFINISHED, create_folder};
+use crate::report::Unfinished;
+
+/// Writes the best iterate as `unfinished.vtu` on the finest mesh; tells where it is
+/// and what it reached, or why it could not be written.
+pub(super) fn keep(
+    field: Field,
+    report: SolveReport,
+    finest: &TetMesh,
+    what: &str,
+    context: &Context,
+) -> Error {
+    let file = context.output_folder.join(UNFINISHED);
+    let iterate =
+        Dataset { mesh: finest.raw().clone(), point_fields: vec![field], ..Dataset::default() };
+    let written = create_folder(context.output_folder)
+        .and_then(|()| vtu::write(&file, &iterate).map_err(Error::from));
+    if let Err(error) = written {
+        return error;
+    }
+    Error::Unfinished(Box::new(Unfinished {
+        stage: context.progress.label.into(),
+        what: what.into(),
+        iterations: report.iterations,
+        relative_residual: report.relative_residual,
+        residual_history: report.residual_history,
+        file,
+    }))
+}

@@ -191,6 +191,8 @@ fn the_report_tells_the_marking_the_sharp_parts_and_the_guard() {
         ("stage.subdivide.diagonal=long", "unknown diagonal `long` (valid: inherit, ", 2),
         ("stage.subdivide.extra-corners=[27]", "the corner 27 is no vertex of the mesh", 1),
         ("stage.subdivide.extra-creases=[[0, 26]]", "the crease 0-26 is no edge", 1),
+        ("stage.subdivide.extra-creases=[[0, 1, 2]]", "the two ends of an edge, found 3", 2),
+        ("expect={\"subdivide.tets\"=3}", "expected bounds such as { min = 1, max = 2 }", 2),
     ] {
         let output = set(value);
         assert!(stderr(&output).contains(says), "{value}: {}", stderr(&output));

@@ -144,6 +144,8 @@ fn side_lines(mesh: &RawMesh) -> Vec<String> {
         array("creases", 2, wholes(features.creases.as_flattened())),
         array("corners", 1, wholes(&features.corners)),
         array("feature_surfaces", 1, wholes(&features.surfaces)),
+        // 0.1 in the bytes of a double, the lowest first.
+        array("initial_quality", 1, wholes(&[154u8, 153, 153, 153, 153, 153, 185, 63])),
     ];
     let names: Vec<&str> = mesh.groups.iter().map(|group| group.name.as_str()).collect();
     lines.push(names_line(&names));

@@ -34,8 +34,8 @@ pub struct Refine {
     /// How many times
     #[arg(long, value_name = "N")]
     levels: u8,
-    /// Edges stay sharp where outward normals differ by more; at 180 only borders between
-    /// surface groups do, and curve groups [default: 40]
+    /// Edges stay sharp where outward normals differ by more; 180 for none by angle (borders,
+    /// curve groups and where surfaces meet stay) [default: 40]
     #[arg(long, value_name = "DEG", value_parser = degrees)]
     crease_angle: Option<Degrees>,
     /// How marked pairs are chosen: shortest, agree, breadth-first or as-ordered

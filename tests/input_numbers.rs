@@ -4,7 +4,7 @@ mod common;
 
 use std::path::Path;
 
-use common::{code, integers, octruss, sample, stderr, succeed};
+use common::{code, integers, octruss, report, sample, stderr, succeed};
 use octruss_mesh::shapes;
 use octruss_meshio::{Dataset, Field, Values, read, write};
 
@@ -139,6 +139,9 @@ fn corners_and_creases_asked_for_are_those_of_the_file() {
          extra-corners = [{corner}]\nextra-creases = [[{to}, {from}]]"
     );
     run(folder.path(), "cube.vtu", &stage);
+    let strata = &report(&folder.path().join("out/r"))["stages"][2]["strata"];
+    assert_eq!(strata["point_reasons"]["asked-for"], 1);
+    assert_eq!(strata["curve_reasons"]["asked-for"], 1);
     let fine = read(&folder.path().join("out/r/solution.vtu")).unwrap();
     let has = |wanted: [f64; 3]| fine.mesh.points.contains(&wanted);
     assert!(has([1.0, 0.0, 1.0]), "the corner stays");

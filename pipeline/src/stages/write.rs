@@ -15,10 +15,10 @@ use crate::output::{create_folder, write_with_surfaces};
 use crate::state::State;
 
 /// Writes `solution.vtu` (the finest mesh with every field, the stratum of each
-/// vertex, region and quality a cell, and where both are in the mesh file), `solution.sides.vtu` if there are
-/// fields that jump between regions (the finest mesh taken apart where regions
-/// meet, with these fields), and what else is asked for, each file whole or not
-/// at all.
+/// vertex, region and quality a cell, and where both are in the mesh file),
+/// `solution.sides.vtu` if there are fields that jump between regions (the finest
+/// mesh taken apart where regions meet, with these fields), and what else is asked
+/// for, each file whole or not at all.
 #[derive(Debug, Clone, PartialEq, Deserialize)]
 #[serde(deny_unknown_fields, rename_all = "kebab-case", default)]
 pub struct Write {

@@ -59,9 +59,11 @@ pub struct Subdivide {
     pub group_borders: Option<bool>,
     /// Surface groups inside a region that are refined as surfaces, by name.
     pub surfaces: Option<Vec<Spanned<String>>>,
-    /// Edges that stay sharp, by their ends: vertices of the checked mesh, from 0.
+    /// Edges that stay sharp, by their ends: vertices of the checked mesh, from 0, in
+    /// the order of the file.
     pub extra_creases: Option<Vec<Ends>>,
-    /// Vertices of the checked mesh that stay where they are, from 0.
+    /// Vertices of the checked mesh that stay where they are, from 0, in the order of
+    /// the file.
     pub extra_corners: Option<Vec<u32>>,
 }
 

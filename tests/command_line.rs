@@ -5,7 +5,7 @@ mod common;
 use std::io::Read;
 use std::process::{Command, Stdio};
 
-use common::{code, octruss, sample, stderr, stdout, succeed};
+use common::{code, integers, octruss, sample, stderr, stdout, succeed};
 use octruss_mesh::shapes::kuhn_cube;
 use octruss_meshio::{Dataset, Field, read, write};
 use serde_json::{Value, json};
@@ -174,7 +174,9 @@ fn fields_ride_along_and_stay_what_they_are() {
     assert_eq!(heights.len(), expected.len());
     assert!(heights.iter().zip(&expected).all(|(a, b)| (a - b).abs() < 1e-13));
     let octruss_meshio::Values::Float(numbers) = &output.cell_fields[0].values else { panic!() };
-    assert!(numbers.iter().enumerate().all(|(tet, &number)| number == (tet / 64) as f64));
+    let tets = integers(&output.cell_fields, "input-tet");
+    assert_eq!(numbers.len(), 6 * 64);
+    assert!(numbers.iter().zip(tets).all(|(&number, &tet)| number == tet as f64));
 }
 
 #[test]

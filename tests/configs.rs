@@ -75,8 +75,8 @@ fn the_quickstart_writes_what_its_comments_promise() {
     let names = |fields: &[octruss_meshio::Field]| -> Vec<String> {
         fields.iter().map(|field| field.name.clone()).collect()
     };
-    assert_eq!(names(&solution.point_fields), ["solution", "stratum"]);
-    assert_eq!(names(&solution.cell_fields), ["quality"]);
+    assert_eq!(names(&solution.point_fields), ["solution", "stratum", "input-vertex"]);
+    assert_eq!(names(&solution.cell_fields), ["quality", "input-tet"]);
     let surfaces = std::fs::read(out.join("solution.surfaces.vtu")).unwrap();
     assert!(surfaces.starts_with(b"<?xml") || surfaces.starts_with(b"<VTKFile"));
     let coarse = octruss_meshio::read(&out.join("level-0.vtu")).unwrap();

@@ -4,7 +4,7 @@ mod common;
 
 use std::path::Path;
 
-use common::{code, octruss, report, sample, stderr, succeed};
+use common::{code, integers, octruss, report, sample, stderr, succeed};
 use octruss_mesh::{RawMesh, shapes};
 use octruss_meshio::{Dataset, Field, Values, read, write};
 use serde_json::Value;
@@ -224,8 +224,8 @@ fn whole_numbers_become_means_components_stay_together_and_gaps_are_told() {
     }
     // Between the vertices 0 and 1.
     assert!(floats(named("number")).contains(&0.5));
-    let Values::Integer(parts) = &fine.cell_fields[0].values else { panic!("parts stay whole") };
-    assert!(parts.iter().enumerate().all(|(child, &part)| part as usize == child / 8));
+    let parts = integers(&fine.cell_fields, "part");
+    assert!(!parts.is_empty() && parts == integers(&fine.cell_fields, "input-tet"));
 }
 
 #[test]
@@ -284,16 +284,16 @@ fn what_was_computed_from_a_mesh_does_not_outlive_it() {
     };
     let out = folder.path().join("out/f");
     let written = read(&out.join("solution.vtu")).unwrap();
-    assert_eq!(names(&written.point_fields), ["height", "stratum"]);
-    assert_eq!(names(&written.cell_fields), ["quality"]);
+    assert_eq!(names(&written.point_fields), ["height", "stratum", "input-vertex"]);
+    assert_eq!(names(&written.cell_fields), ["quality", "input-tet"]);
 
     let refine =
         ["refine", "out/f/solution.vtu", "next.vtu", "--scheme", "linear", "--levels", "1"];
     let output = octruss(folder.path(), &refine);
     assert_eq!(code(&output), 0);
     let refined = read(&folder.path().join("next.vtu")).unwrap();
-    assert_eq!(names(&refined.point_fields), ["height"]);
-    assert!(refined.cell_fields.is_empty());
+    assert_eq!(names(&refined.point_fields), ["height", "input-vertex"]);
+    assert_eq!(names(&refined.cell_fields), ["input-tet"]);
     // Converted, the mesh is the same, and so is what was computed from it.
     succeed(folder.path(), &["convert", "out/f/solution.vtu", "same.vtu"]);
     assert_eq!(read(&folder.path().join("same.vtu")).unwrap(), written);

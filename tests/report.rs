@@ -2,7 +2,7 @@
 
 mod common;
 
-use common::{code, octruss, report, repository, stderr, succeed};
+use common::{code, integers, octruss, report, repository, stderr, succeed};
 
 fn small(name: &str, more: &[&str]) -> Vec<String> {
     let config = repository("configs").join(name).display().to_string();
@@ -120,7 +120,7 @@ fn the_second_solve_of_a_run_goes_by_its_own_name() {
     assert_eq!(report(&out)["stages"][4]["name"], "solve-2");
     let solution = octruss_meshio::read(&out.join("solution.vtu")).unwrap();
     let names: Vec<_> = solution.point_fields.iter().map(|field| field.name.as_str()).collect();
-    assert_eq!(names, ["solution", "solution-2", "stratum"]);
+    assert_eq!(names, ["solution", "solution-2", "stratum", "input-vertex"]);
     let octruss_meshio::Values::Float(values) = &solution.point_fields[1].values else { panic!() };
     for (point, value) in solution.mesh.points.iter().zip(values) {
         let exact = 1.0 + 2.0 * (point[0] - 0.5 * point[0] * point[0]);
@@ -149,7 +149,10 @@ fn vertices_outside_all_tets_hold_no_solution_and_do_not_count() {
     assert_eq!(solve["minimum"], 5.0);
     let solution = octruss_meshio::read(&out.join("solution.vtu")).unwrap();
     let octruss_meshio::Values::Float(values) = &solution.point_fields[0].values else { panic!() };
-    let blank: Vec<usize> = (0..values.len()).filter(|&v| values[v].is_nan()).collect();
+    let numbers = integers(&solution.point_fields, "input-vertex");
+    let blank = numbers.iter().zip(values).filter(|(_, value)| value.is_nan());
+    let mut blank: Vec<i64> = blank.map(|(&number, _)| number).collect();
+    blank.sort_unstable();
     assert_eq!(blank, [27, 28, 29]);
 }
 
@@ -191,6 +194,8 @@ fn the_report_tells_the_marking_the_sharp_parts_and_the_guard() {
         ("stage.subdivide.diagonal=long", "unknown diagonal `long` (valid: inherit, ", 2),
         ("stage.subdivide.extra-corners=[27]", "the corner 27 is no vertex of the mesh", 1),
         ("stage.subdivide.extra-creases=[[0, 26]]", "the crease 0-26 is no edge", 1),
+        ("stage.subdivide.extra-creases=[[0, 1, 2]]", "the two ends of an edge, found 3", 2),
+        ("expect={\"subdivide.tets\"=3}", "expected bounds such as { min = 1, max = 2 }", 2),
     ] {
         let output = set(value);
         assert!(stderr(&output).contains(says), "{value}: {}", stderr(&output));

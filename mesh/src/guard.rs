@@ -5,7 +5,8 @@
 //! the tet and all its descendants by red splits at midpoints, which fall into
 //! three classes of shape (Bey 1995). A split by the linear rule keeps it, so
 //! with every row linear no tet falls below its parent, and pulling back always
-//! ends.
+//! ends. Where each level chooses its diagonals anew, a tet keeps its marked one
+//! if another would begin a lattice below the floor.
 
 use rayon::prelude::*;
 
@@ -13,7 +14,7 @@ use crate::chunks::CHUNK;
 use crate::quality::smallest_mean_ratio;
 use crate::raw_mesh::RawMesh;
 use crate::red_split::Parents;
-use crate::reference_tet::{corners, six_volumes};
+use crate::reference_tet::{MARKING_PERMUTATIONS, corners, six_volumes};
 use crate::subdivision_matrix::SubdivisionMatrix;
 use crate::tet_mesh::TetMesh;
 
@@ -41,9 +42,7 @@ pub fn usual_floor(mesh: &TetMesh) -> f64 {
 /// The smallest mean ratio among a tet and its descendants by red splits with
 /// inherited marks; 0 or less if it is flat or inverted.
 pub fn lattice_mean_ratio(corners: [[f64; 3]; 4]) -> f64 {
-    let Lattice { volume, squares } = Lattice::new(corners);
-    // η = 12 (3 V)^(2/3) / Σ L² with six V at hand.
-    12.0 * (0.25 * volume * volume).cbrt().copysign(volume) / squares
+    Lattice::new(corners).mean_ratio()
 }
 
 /// What the mean ratio of a tet's lattice is made of.
@@ -70,6 +69,12 @@ impl Lattice {
         Self { volume: six_volumes(corners), squares }
     }
 
+    fn mean_ratio(&self) -> f64 {
+        let Self { volume, squares } = self;
+        // η = 12 (3 V)^(2/3) / Σ L² with six V at hand.
+        12.0 * (0.25 * volume * volume).cbrt().copysign(*volume) / squares
+    }
+
     /// Whether η is at least `floor` > 0: compared as cubes, which need no root.
     #[inline]
     fn is_at_least(&self, floor: f64) -> bool {
@@ -88,6 +93,20 @@ fn sum(p: [f64; 3], q: [f64; 3]) -> [f64; 3] {
 
 fn square(p: [f64; 3]) -> f64 {
     p[0] * p[0] + p[1] * p[1] + p[2] * p[2]
+}
+
+/// Puts tets that are to be split along these pairs back to their marked one
+/// where the pair's lattice is below the floor and the marked one's is better.
+pub(crate) fn keep_above(floor: f64, coarse: &RawMesh, pairs: &mut [u8]) {
+    let ratio = |tet: usize, pair: usize| {
+        let corners = corners(&coarse.points, coarse.tets[tet]);
+        lattice_mean_ratio(MARKING_PERMUTATIONS[pair].map(|v| corners[v]))
+    };
+    pairs.par_iter_mut().with_min_len(CHUNK).enumerate().for_each(|(tet, pair)| {
+        if *pair != 0 && ratio(tet, usize::from(*pair)) < floor.min(ratio(tet, 0)) {
+            *pair = 0;
+        }
+    });
 }
 
 /// A step as the guard sees it.
@@ -130,7 +149,7 @@ impl Guard<'_> {
         report
     }
 
-    /// The tets below the floor and their parent, among those asked for.
+    /// The tets below what they must reach, among those asked for.
     fn too_flat(
         &self,
         points: &[[f64; 3]],

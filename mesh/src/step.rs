@@ -37,7 +37,7 @@ pub enum Diagonal {
     #[default]
     Inherit,
     /// The shortest one at every level, as in Wang's thesis; ties keep the
-    /// marked pair.
+    /// marked pair, as does a guard whose floor its descendants would break.
     ///
     /// The parts of a tet then form no octet truss, so the averaged scheme takes
     /// each tet of the next level for a tetrahedral cell.

@@ -6,7 +6,7 @@ use rayon::prelude::*;
 
 use crate::assemble_matrix::matrix_with;
 use crate::chunks::CHUNK;
-use crate::guard::{Guard, GuardReport};
+use crate::guard::{Guard, GuardReport, keep_above};
 use crate::large_array::zeroed;
 use crate::marking::shortest_pairs;
 use crate::raw_mesh::{Features, RawMesh, Tagged};
@@ -73,6 +73,12 @@ pub enum SubdivideError {
 /// Edge slots of tets are numbered in 32 bits.
 pub const MAX_TETS: usize = u32::MAX as usize / 6;
 
+/// How many levels so many tets can be refined, each tet into eight.
+pub fn most_levels(tets: usize) -> u32 {
+    // The greatest l with tets · 8^l ≤ MAX_TETS.
+    (MAX_TETS / tets.max(1)).checked_ilog2().map_or(0, |log| log / 3)
+}
+
 fn list(numbers: &[u32]) -> String {
     numbers.iter().map(u32::to_string).collect::<Vec<_>>().join(", ")
 }
@@ -105,7 +111,9 @@ pub fn subdivide(
     let parents = match diagonal {
         Diagonal::Inherit => Parents::marked(&coarse.tets, topology),
         Diagonal::ShortestEachLevel => {
-            Parents::along(&coarse.tets, topology, &shortest_pairs(coarse))
+            let mut pairs = shortest_pairs(coarse);
+            min_quality.iter().for_each(|&floor| keep_above(floor, coarse, &mut pairs));
+            Parents::along(&coarse.tets, topology, &pairs)
         }
     };
     let split = red_split(&parents, &vertex_edges, &edge_faces);

@@ -4,7 +4,8 @@ mod common;
 
 use common::{hierarchy, smooth};
 use octruss_mesh::{
-    FeatureOptions, Hierarchy, Scheme, Step, TetMesh, guard::lattice_mean_ratio, quality, shapes,
+    Diagonal, FeatureOptions, Hierarchy, Scheme, Step, TetMesh, guard::lattice_mean_ratio, quality,
+    shapes,
 };
 
 fn eta_min(mesh: &TetMesh) -> f64 {
@@ -94,6 +95,29 @@ fn a_jittered_block_stays_above_half_its_quality_under_every_scheme() {
                 levels.subdivide(Step { min_quality: Some(floor), ..scheme.into() }).unwrap();
                 assert!(eta_min(levels.finest()) >= floor * (1.0 - 1e-8), "{}", scheme.name());
             }
+        }
+    }
+}
+
+#[test]
+fn the_floor_holds_where_each_level_takes_the_shortest_diagonals() {
+    // The interpolatory scheme flattens tets of the jittered block in steps, and
+    // the diagonal of the next level is not that of the last.
+    let mut raw = shapes::kuhn_cube(2).into_raw();
+    for (i, x) in raw.points.as_flattened_mut().iter_mut().enumerate() {
+        *x += 0.12 * ((i as f64 * 12.9898).sin() * 43758.5453).fract();
+    }
+    let mesh = octruss_mesh::check(raw, &Default::default()).unwrap().mesh;
+    let diagonal = Diagonal::ShortestEachLevel;
+    let lattices = (0..mesh.tets().len()).map(|t| lattice_mean_ratio(mesh.corners(t)));
+    let floor = 0.9 * lattices.fold(1.0, f64::min);
+    for scheme in Scheme::ALL {
+        let mut levels = Hierarchy::new(mesh.clone(), &FeatureOptions::default());
+        for _ in 0..4 {
+            let step = Step { diagonal, min_quality: Some(floor), ..scheme.into() };
+            levels.subdivide(step).unwrap();
+            let eta = eta_min(levels.finest());
+            assert!(eta >= floor * (1.0 - 1e-8), "{}: {eta} below {floor}", scheme.name());
         }
     }
 }

@@ -1,74 +1,14 @@
 //! What must hold on any mesh: random blocks with holes, regions, tags,
 //! orders and numberings.
 
+mod common;
+
+use common::random_block::blocks;
 use octruss_mesh::{
-    CheckOptions, FeatureOptions, Hierarchy, RawMesh, Scheme, SubdivideError, TetMesh, Topology,
-    check, reference_tet::MARKING_PERMUTATIONS, shapes, subdivision_matrix,
+    CheckOptions, FeatureOptions, Hierarchy, Scheme, SubdivideError, TetMesh, Topology, check,
+    shapes, subdivision_matrix,
 };
 use proptest::prelude::*;
-
-/// A block of Kuhn cells that lost some tets, with random regions, marked
-/// pairs, vertex numbers, displaced vertices, and free-standing simplices.
-fn meshes() -> impl Strategy<Value = TetMesh> {
-    let cells = prop::array::uniform3(1u32..4);
-    (cells, any::<u64>()).prop_map(|(cells, seed)| {
-        let mut random = Random(seed | 1);
-        let mut raw = shapes::kuhn_box(cells, cells.map(f64::from)).into_raw();
-        for point in raw.points.as_flattened_mut() {
-            *point += 0.05 * (random.below(1000) as f64 / 500.0 - 1.0);
-        }
-        let keep: Vec<bool> = raw.tets.iter().map(|_| random.below(10) > 0).collect();
-        let mut kept = keep.iter();
-        raw.tets.retain(|_| *kept.next().unwrap());
-        raw.regions = raw.tets.iter().map(|_| random.below(2) as i32).collect();
-        raw.triangles.simplices.retain(|_| random.below(2) == 0);
-        raw.triangles.tags.truncate(raw.triangles.simplices.len());
-        renumber(&mut raw, &mut random);
-        for tet in &mut raw.tets {
-            let order = MARKING_PERMUTATIONS[random.below(3)];
-            *tet = order.map(|v| tet[v]);
-        }
-        add_free_simplices(&mut raw);
-        check(raw, &CheckOptions::default()).expect("a valid mesh").mesh
-    })
-}
-
-struct Random(u64);
-
-impl Random {
-    fn below(&mut self, n: usize) -> usize {
-        // xorshift64
-        self.0 ^= self.0 << 13;
-        self.0 ^= self.0 >> 7;
-        self.0 ^= self.0 << 17;
-        (self.0 >> 11) as usize % n
-    }
-}
-
-fn renumber(raw: &mut RawMesh, random: &mut Random) {
-    let n = raw.points.len();
-    let mut new: Vec<u32> = (0..n as u32).collect();
-    for i in (1..n).rev() {
-        new.swap(i, random.below(i + 1));
-    }
-    let old = raw.points.clone();
-    for (v, point) in old.into_iter().enumerate() {
-        raw.points[new[v] as usize] = point;
-    }
-    for v in
-        raw.tets.as_flattened_mut().iter_mut().chain(raw.triangles.simplices.as_flattened_mut())
-    {
-        *v = new[*v as usize];
-    }
-}
-
-/// A fin of one triangle that hangs on vertex 0, and a curve to nowhere.
-fn add_free_simplices(raw: &mut RawMesh) {
-    let n = raw.points.len() as u32;
-    raw.points.extend([[-9.0, 0.0, 0.0], [-9.0, 1.0, 0.0], [-8.0, 0.0, 5.0]]);
-    raw.triangles.push([n, 0, n + 1], 77);
-    raw.edges.push([n + 2, 0], 78);
-}
 
 fn boundary_vertices(topology: &Topology) -> Vec<bool> {
     let mut on_boundary = vec![false; topology.vertex_count()];
@@ -97,7 +37,7 @@ proptest! {
     #![proptest_config(ProptestConfig::with_cases(48))]
 
     #[test]
-    fn topology_from_the_parents_equals_topology_from_scratch(mesh in meshes()) {
+    fn topology_from_the_parents_equals_topology_from_scratch(mesh in blocks()) {
         let levels = subdivided(&mesh, &[Scheme::Linear, Scheme::Linear]).expect("midpoints invert nothing");
         for (mesh, topology) in levels.meshes.iter().zip(&levels.topologies) {
             prop_assert!(*topology == Topology::new(mesh.raw()));
@@ -105,7 +45,7 @@ proptest! {
     }
 
     #[test]
-    fn rows_sum_to_one_and_boundary_rows_read_boundary_only(mesh in meshes(), group_curves: bool, group_borders: bool) {
+    fn rows_sum_to_one_and_boundary_rows_read_boundary_only(mesh in blocks(), group_curves: bool, group_borders: bool) {
         let options = FeatureOptions { group_curves, group_borders, ..FeatureOptions::default() };
         let levels = Hierarchy::new(mesh, &options);
         let (mesh, topology) = (&levels.meshes[0], &levels.topologies[0]);
@@ -132,7 +72,7 @@ proptest! {
     }
 
     #[test]
-    fn tags_regions_and_volume_survive_a_linear_split(mesh in meshes()) {
+    fn tags_regions_and_volume_survive_a_linear_split(mesh in blocks()) {
         let levels = subdivided(&mesh, &[Scheme::Linear]).expect("midpoints invert nothing");
         let (coarse, fine) = (&levels.meshes[0], levels.finest());
         let topology = &levels.topologies[1];
@@ -159,7 +99,7 @@ proptest! {
     }
 
     #[test]
-    fn results_are_the_same_bits_for_any_number_of_threads(mesh in meshes()) {
+    fn results_are_the_same_bits_for_any_number_of_threads(mesh in blocks()) {
         let run = |threads: usize| {
             let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
             pool.install(|| subdivided(&mesh, &[Scheme::BoxSpline, Scheme::Linear]).map(|levels| {

@@ -79,10 +79,16 @@ impl Field {
     }
 
     /// The field on the tuples `kept` alone, in their order.
-    pub(crate) fn subset(&self, kept: &[usize]) -> Self {
-        fn pick<T: Copy>(values: &[T], components: usize, kept: &[usize]) -> Vec<T> {
-            let tuple = |&t: &usize| values[t * components..(t + 1) * components].iter().copied();
-            kept.iter().flat_map(tuple).collect()
+    ///
+    /// # Panics
+    /// If there is no such tuple.
+    pub fn subset(&self, kept: impl Iterator<Item = usize>) -> Self {
+        fn pick<T: Copy>(
+            values: &[T],
+            components: usize,
+            kept: impl Iterator<Item = usize>,
+        ) -> Vec<T> {
+            kept.flat_map(|t| &values[t * components..(t + 1) * components]).copied().collect()
         }
         let values = match &self.values {
             Values::Float(values) => Values::Float(pick(values, self.components, kept)),

@@ -72,7 +72,8 @@ impl Grid {
             dataset.cell_fields = self.cell_fields;
         } else {
             let tets = self.sort_cells(&tags, &mut dataset.mesh, &mut mid_side_nodes);
-            dataset.cell_fields = self.cell_fields.iter().map(|f| f.subset(&tets)).collect();
+            let subset = |field: &Field| field.subset(tets.iter().copied());
+            dataset.cell_fields = self.cell_fields.iter().map(subset).collect();
             self.note_untagged(&tags);
         }
         dataset.mesh.points = self.points;

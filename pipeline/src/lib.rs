@@ -26,9 +26,11 @@
 //! A value that is no TOML is taken as a string, so names need no quotes.
 
 pub mod amount;
+pub mod derived_fields;
 pub mod describe;
 pub mod error;
 pub mod expression;
+pub mod input_numbers;
 pub mod memory;
 pub mod output;
 pub mod progress;

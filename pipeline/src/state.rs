@@ -4,10 +4,12 @@ use std::borrow::Cow;
 use std::path::PathBuf;
 
 use octruss_mesh::{
-    FeatureOptions, FeatureReasons, Hierarchy, Overshoot, Scheme, Sides, Step, SubdivideError,
-    TetMesh, carry_field,
+    FeatureOptions, FeatureReasons, Hierarchy, Overshoot, Renumbering, Scheme, Sides, Step,
+    SubdivideError, TetMesh, carry_field, prepare, sort_along_curve,
 };
 use octruss_meshio::{Dataset, Field, Values};
+
+use crate::input_numbers::InputNumbers;
 
 /// What the stages so far have made.
 #[derive(Debug, Default)]
@@ -18,6 +20,9 @@ pub struct State {
     pub dataset: Option<Dataset>,
     /// The checked mesh, until it is the coarsest level.
     pub mesh: Option<TetMesh>,
+    /// Where the vertices and tets of the checked mesh, or of the coarsest level, are
+    /// in the file.
+    pub input_numbers: InputNumbers,
     /// The levels, coarsest first.
     pub hierarchy: Option<Hierarchy>,
     /// Why the curves and points of the coarsest level are what they are.
@@ -47,17 +52,38 @@ impl State {
         self.hierarchy.as_ref().map(Hierarchy::finest).or(self.mesh.as_ref())
     }
 
-    /// The levels; the checked mesh becomes the only one if there are none.
+    /// The levels; the checked mesh becomes the only one if there are none. It is
+    /// readied as `options` say, in whose numbering, and then sorted along a
+    /// space-filling curve. A mesh that carries features has been through both.
     pub fn levels(&mut self, options: &FeatureOptions) -> Option<&mut Hierarchy> {
         if let Some(mesh) = self.mesh.take() {
-            // A mesh that carries features takes no notice of the options.
-            let options = Some(options).filter(|_| mesh.features().is_none());
-            let hierarchy = Hierarchy::new(mesh, options.unwrap_or(&FeatureOptions::default()));
+            let (mesh, options) = match mesh.features() {
+                Some(_) => (mesh, None),
+                None => {
+                    let (mesh, from) = sort_along_curve(prepare(mesh, options));
+                    self.renumber(&mesh, &from);
+                    let extra = options.extra.renumbered(&from.new_vertices());
+                    (mesh, Some(FeatureOptions { extra, ..options.clone() }))
+                }
+            };
+            let hierarchy = Hierarchy::new(mesh, &FeatureOptions::default());
             self.feature_reasons =
-                FeatureReasons::new(hierarchy.finest(), &hierarchy.topologies[0], options);
+                FeatureReasons::new(hierarchy.finest(), &hierarchy.topologies[0], options.as_ref());
             self.hierarchy = Some(hierarchy);
         }
         self.hierarchy.as_mut()
+    }
+
+    /// Takes the fields along to the new numbers of the mesh.
+    fn renumber(&mut self, mesh: &TetMesh, from: &Renumbering) {
+        let follow = |fields: &mut Vec<Field>, from: &[u32]| {
+            let from = || from.iter().map(|&old| old as usize);
+            fields.iter_mut().for_each(|field| *field = field.subset(from()));
+        };
+        follow(&mut self.point_fields, &from.vertices);
+        follow(&mut self.cell_fields, &from.tets);
+        self.sided_fields.renumber(mesh, from);
+        self.input_numbers.renumber(from);
     }
 
     /// Adds a level, onto which the fields are carried; returns how many values
@@ -86,14 +112,20 @@ impl State {
         Ok(clamped)
     }
 
-    /// The finest mesh with its fields, or what was imported if nothing was checked.
+    /// The finest mesh with its fields and where its vertices and tets are in the
+    /// file, or what was imported if nothing was checked.
     pub fn into_dataset(self) -> Dataset {
         let Self { dataset, mesh, hierarchy, point_fields, cell_fields, .. } = self;
         let finest = hierarchy.and_then(|mut levels| levels.meshes.pop()).or(mesh);
         match finest {
             Some(mesh) => {
+                let numbers = self.input_numbers.fields(&mesh);
+                let notes = numbers.replaced(&point_fields, &cell_fields);
                 let mesh = mesh.into_raw();
-                Dataset { mesh, point_fields, cell_fields, ..Dataset::default() }
+                let mut dataset =
+                    Dataset { mesh, point_fields, cell_fields, notes, ..Dataset::default() };
+                numbers.add_to(&mut dataset);
+                dataset
             }
             None => dataset.unwrap_or_default(),
         }
@@ -101,6 +133,20 @@ impl State {
 }
 
 impl SidedFields {
+    /// Takes the fields along to the new numbers of the mesh.
+    fn renumber(&mut self, mesh: &TetMesh, from: &Renumbering) {
+        let Some(old) = &self.sides else { return };
+        let new = Sides::new(mesh);
+        let old = |(&v, &region): (&u32, &i32)| {
+            old.find(from.vertices[v as usize], region).expect("the same regions touch a vertex")
+        };
+        let order: Vec<usize> = new.vertices().iter().zip(new.regions()).map(old).collect();
+        for field in &mut self.fields {
+            *field = field.subset(order.iter().copied());
+        }
+        self.sides = Some(new);
+    }
+
     /// Carries the fields onto the level that was added last; returns how many
     /// values were clamped.
     fn refine(&mut self, hierarchy: &Hierarchy, overshoot: Overshoot) -> usize {

@@ -5,6 +5,7 @@ use std::path::{Path, PathBuf};
 use std::process::Output;
 
 use assert_cmd::Command;
+use octruss_meshio::{Field, Values};
 
 /// A path inside the repository.
 pub fn repository(path: &str) -> PathBuf {
@@ -47,6 +48,13 @@ pub fn succeed<S: AsRef<std::ffi::OsStr>>(folder: &Path, arguments: &[S]) -> Str
 pub fn report(folder: &Path) -> serde_json::Value {
     let text = std::fs::read_to_string(folder.join("report.json")).unwrap();
     serde_json::from_str(&text).unwrap()
+}
+
+/// The values of a field of whole numbers.
+pub fn integers<'a>(fields: &'a [Field], name: &str) -> &'a [i64] {
+    let field = fields.iter().find(|field| field.name == name).unwrap();
+    let Values::Integer(numbers) = &field.values else { panic!("{name} is whole") };
+    numbers
 }
 
 /// The names of all files below a folder, sorted.

@@ -71,6 +71,17 @@ impl ExtraFeatures {
         Ok(Self { creases: wanted, corners: corners.to_vec() })
     }
 
+    /// The same edges and vertices of a mesh whose vertex v became `new[v]`.
+    ///
+    /// # Panics
+    /// If `new` is shorter than the mesh has vertices.
+    pub fn renumbered(&self, new: &[u32]) -> Self {
+        let new = |v: u32| new[v as usize];
+        let mut creases: Vec<_> = self.creases.iter().map(|e| ascending(e.map(new))).collect();
+        creases.sort_unstable();
+        Self { creases, corners: self.corners.iter().map(|&v| new(v)).collect() }
+    }
+
     /// The edges, ends ascending.
     pub(super) fn creases(&self) -> &[[u32; 2]] {
         &self.creases

@@ -4,7 +4,7 @@ use rayon::prelude::*;
 
 use crate::chunks::CHUNK;
 use crate::raw_mesh::RawMesh;
-use crate::reference_tet::MARKING_PERMUTATIONS;
+use crate::reference_tet::{MARKING_PERMUTATIONS, corners};
 
 /// Diagonals whose squared lengths differ relatively by less than this are equal.
 const TIE: f64 = 1e-9;
@@ -22,9 +22,9 @@ pub(super) fn ranks(corners: [[f64; 3]; 4]) -> [u8; 3] {
 
 /// For each tet the pair with the shortest diagonal; ties go to the pair at hand.
 pub(crate) fn shortest_pairs(mesh: &RawMesh) -> Vec<u8> {
-    let shortest = |tet: &[u32; 4]| {
-        let ranks = ranks(tet.map(|v| mesh.points[v as usize]));
-        ranks.iter().position(|&rank| rank == 0).expect("one of three diagonals is shortest") as u8
+    // None is shortest only if a coordinate is no number.
+    let shortest = |&tet: &[u32; 4]| {
+        ranks(corners(&mesh.points, tet)).iter().position(|&rank| rank == 0).unwrap_or(0) as u8
     };
     mesh.tets.par_iter().with_min_len(CHUNK).map(shortest).collect()
 }

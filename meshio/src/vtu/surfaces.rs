@@ -61,7 +61,11 @@ impl Surfaces {
             points: own.of(&mesh.points),
             triangles: own.renumber(mesh.triangles.simplices.iter()),
             tags: mesh.triangles.tags.clone(),
-            fields: dataset.point_fields.iter().map(|field| field.subset(&own.kept)).collect(),
+            fields: dataset
+                .point_fields
+                .iter()
+                .map(|field| field.subset(own.kept.iter().copied()))
+                .collect(),
             groups: mesh.groups.iter().filter(|g| g.dimension == 2).cloned().collect(),
         })
     }

@@ -6,8 +6,9 @@ use std::path::{Path, PathBuf};
 use clap::Args;
 use octruss::recipe::{Degrees, SchemeName};
 use octruss_mesh::analysis::{LineSample, basis_function, sample_line};
+use octruss_mesh::subdivide::most_levels;
 use octruss_mesh::{FeatureOptions, Hierarchy};
-use octruss_meshio::{Dataset, Field, Format, write, write_aside};
+use octruss_meshio::{Dataset, Field, check_target, write, write_aside};
 
 use super::refine::degrees;
 use super::sound_mesh::SoundMesh;
@@ -21,7 +22,8 @@ const SAMPLES: u32 = 500;
     octruss basis part.msh --vertex 17 --levels 3 basis.vtu\n  \
     octruss basis part.msh --vertex 17 --levels 3 basis.vtu --line line.csv --direction 0,0,1\n\n\
     The line runs through the vertex; its columns are the distance along it, the point,\n\
-    and the value, linear in each tet of the finest mesh.")]
+    and the value, linear in each tet of the finest mesh. Levels are made as the scheme\n\
+    alone would make them, without the guard of quality that refine has.")]
 pub struct Basis {
     /// Mesh to read
     mesh: PathBuf,
@@ -62,9 +64,16 @@ fn direction(text: &str) -> Result<[f64; 3], String> {
 impl Basis {
     pub fn run(&self) -> anyhow::Result<()> {
         // Asked first: refining may take long.
-        Format::of(&self.output)?;
+        check_target(&self.output)?;
+        if let Some(path) = self.line.as_ref().filter(|path| !is_csv(path)) {
+            anyhow::bail!("--line {}: expected a file name that ends in .csv", path.display());
+        }
         let sound = SoundMesh::read(&self.mesh, self.crease_angle.0)?;
         let vertex = if self.at_level == 0 { sound.vertex(self.vertex)? } else { self.vertex };
+        let (tets, most) = (sound.mesh.tets().len(), most_levels(sound.mesh.tets().len()));
+        if u32::from(self.levels) > most {
+            anyhow::bail!("--levels {}: at most {most} levels of {tets} tets fit", self.levels);
+        }
         let mut hierarchy = Hierarchy::new(sound.mesh, &FeatureOptions::default());
         for _ in 0..self.levels {
             hierarchy.subdivide(self.scheme.0)?;
@@ -80,6 +89,10 @@ impl Basis {
         let point_fields = vec![Field::scalar("basis", values)];
         Ok(write(&self.output, &Dataset { mesh, point_fields, ..Dataset::default() })?)
     }
+}
+
+fn is_csv(path: &Path) -> bool {
+    path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("csv"))
 }
 
 fn write_line(path: &Path, line: &[LineSample]) -> anyhow::Result<()> {

@@ -19,7 +19,8 @@ use super::progress::Display;
     octruss refine part.msh part.vtu --scheme box-spline --levels 2 --crease-angle 30\n\n\
     What stays sharp is found once, on the mesh given, and recorded in a .vtu: refining\n\
     that again by one level equals refining by two at once. Tagged surfaces go beside\n\
-    a .vtu, as NAME.surfaces.vtu.")]
+    a .vtu, as NAME.surfaces.vtu. The mesh is numbered anew; the fields input-vertex (-1:\n\
+    made by refining) and input-tet tell where each vertex and tet is in IN, from 0.")]
 pub struct Refine {
     /// Mesh to read
     #[arg(value_name = "IN")]
@@ -34,8 +35,8 @@ pub struct Refine {
     /// How many times
     #[arg(long, value_name = "N")]
     levels: u8,
-    /// Edges stay sharp where outward normals differ by more; at 180 only borders between
-    /// surface groups do, and curve groups [default: 40]
+    /// Edges stay sharp where outward normals differ by more; 180 for none by angle (borders,
+    /// curve groups and where surfaces meet stay) [default: 40]
     #[arg(long, value_name = "DEG", value_parser = degrees)]
     crease_angle: Option<Degrees>,
     /// How marked pairs are chosen: shortest, agree, breadth-first or as-ordered
@@ -102,6 +103,8 @@ impl Refine {
                  `octruss run` writes it, for each region by itself"
             ));
         }
-        Ok(state.into_dataset())
+        let refined = state.into_dataset();
+        refined.notes.iter().for_each(|note| super::say(&format!("note: {note}")));
+        Ok(refined)
     }
 }

@@ -102,6 +102,12 @@ impl Spectrum {
 
     fn mesh(&self) -> anyhow::Result<(TetMesh, u32)> {
         if let Some(valence) = self.place.edge {
+            if matches!(self.marks, Marks::Alternate) && valence % 2 == 1 {
+                anyhow::bail!(
+                    "--marks alternate: {valence} tets cannot alternate round an edge; \
+                     give an even valence, or other marks"
+                );
+            }
             return Ok(at_midpoint(&stars::edge_ring(valence, self.marks.into()), [0, 1])?);
         }
         let place = self.place.vertex.as_ref().expect("one of the two is required");

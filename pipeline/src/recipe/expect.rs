@@ -30,7 +30,7 @@ pub struct Bounds {
 }
 
 #[derive(Deserialize)]
-#[serde(deny_unknown_fields)]
+#[serde(deny_unknown_fields, expecting = "bounds such as { min = 1, max = 2 }")]
 struct GivenBounds {
     min: Option<f64>,
     max: Option<f64>,

@@ -37,7 +37,7 @@ pub use nearest::suggestion;
 pub use per_region::{PerRegion, Regional};
 pub use source::Source;
 pub use sweeps::Sweeps;
-pub use value::{Degrees, Fraction, Positive, Value, VectorValue};
+pub use value::{Degrees, Ends, Fraction, Positive, Value, VectorValue};
 pub use value_or::{ValueOr, ValueOrVector};
 
 use crate::stages::Stage;

@@ -36,6 +36,21 @@ pub struct Degrees(pub f64);
 #[serde(try_from = "f64")]
 pub struct Fraction(pub f64);
 
+/// The two ends of an edge, by their numbers.
+#[derive(Debug, Clone, Copy, PartialEq, serde::Deserialize)]
+#[serde(try_from = "Vec<u32>")]
+pub struct Ends(pub [u32; 2]);
+
+impl TryFrom<Vec<u32>> for Ends {
+    type Error = String;
+
+    fn try_from(list: Vec<u32>) -> Result<Self, String> {
+        let found = list.len();
+        let two = list.try_into().map(Self);
+        two.map_err(|_| format!("expected the two ends of an edge, found {found} numbers"))
+    }
+}
+
 impl TryFrom<f64> for Positive {
     type Error = String;
 

@@ -1,13 +1,14 @@
 //! From what a file says to a mesh that can be worked with.
 
 use octruss_mesh::{CheckOptions, Checked, Finding};
-use octruss_meshio::{Field, Values};
+use octruss_meshio::Field;
 use serde::{Deserialize, Serialize};
 
 use super::Context;
 use super::corner_fields::CornerFields;
 use crate::describe::FindingReport;
 use crate::error::Error;
+use crate::input_numbers::InputNumbers;
 use crate::state::State;
 
 /// Refuses a mesh that refining and solving cannot live with; drops vertices
@@ -37,6 +38,7 @@ impl Check {
         let dataset = state.dataset.take().ok_or_else(|| context.order("import"))?;
         let options = CheckOptions { reorient: self.reorient };
         let corners = CornerFields::new(&dataset);
+        state.input_numbers = InputNumbers::of(&dataset);
         let Checked { mesh, findings, kept_vertices } = octruss_mesh::check(dataset.mesh, &options)
             .map_err(|source| Error::Unsound { path: state.path.clone(), source })?;
         state.sided_fields = corners.sided(&mesh, kept_vertices.as_deref());
@@ -44,7 +46,11 @@ impl Check {
         let data = |fields: Vec<Field>| fields.into_iter().filter(|field| !field.derived);
         let point_fields = data(dataset.point_fields);
         state.point_fields = match kept_vertices {
-            Some(kept) => point_fields.map(|field| subset(&field, &kept)).collect(),
+            Some(kept) => {
+                state.input_numbers.keep_vertices(&kept);
+                let kept = || kept.iter().map(|&v| v as usize);
+                point_fields.map(|field| field.subset(kept())).collect()
+            }
             None => point_fields.collect(),
         };
         state.cell_fields = data(dataset.cell_fields).collect();
@@ -63,17 +69,4 @@ impl CheckReport {
     pub(super) fn summary(&self) -> String {
         if self.messages.is_empty() { "sound".into() } else { self.messages.join("\n  ") }
     }
-}
-
-/// The tuples of a field that belong to the vertices kept.
-fn subset(field: &Field, kept: &[u32]) -> Field {
-    fn pick<T: Copy>(values: &[T], components: usize, kept: &[u32]) -> Vec<T> {
-        let tuple = |&v: &u32| &values[v as usize * components..][..components];
-        kept.iter().flat_map(tuple).copied().collect()
-    }
-    let values = match &field.values {
-        Values::Float(values) => Values::Float(pick(values, field.components, kept)),
-        Values::Integer(values) => Values::Integer(pick(values, field.components, kept)),
-    };
-    Field { values, ..field.clone() }
 }

@@ -1,7 +1,7 @@
 //! Refining the mesh, level by level.
 
 use octruss_mesh::guard::usual_floor;
-use octruss_mesh::subdivide::MAX_TETS;
+use octruss_mesh::subdivide::{MAX_TETS, most_levels};
 use octruss_mesh::{
     Diagonal, ExtraFeatures, FeatureOptions, Marking, Overshoot, Scheme, Step, TetMesh, Topology,
     marking_report,
@@ -15,7 +15,7 @@ use super::groups::group_ids;
 use super::jumps::start_jumps;
 use super::subdivide_report::{LevelReport, Strata, SubdivideReport};
 use crate::error::Error;
-use crate::recipe::{Degrees, Fraction, MinQuality, Named, SchemeName};
+use crate::recipe::{Degrees, Ends, Fraction, MinQuality, Named, SchemeName};
 use crate::state::State;
 
 /// Refines every tet into eight, some times over. The marking and what stays
@@ -59,9 +59,11 @@ pub struct Subdivide {
     pub group_borders: Option<bool>,
     /// Surface groups inside a region that are refined as surfaces, by name.
     pub surfaces: Option<Vec<Spanned<String>>>,
-    /// Edges that stay sharp, by their ends: vertices of the checked mesh, from 0.
-    pub extra_creases: Option<Vec<[u32; 2]>>,
-    /// Vertices of the checked mesh that stay where they are, from 0.
+    /// Edges that stay sharp, by their ends: vertices of the checked mesh, from 0, in
+    /// the order of the file.
+    pub extra_creases: Option<Vec<Ends>>,
+    /// Vertices of the checked mesh that stay where they are, from 0, in the order of
+    /// the file.
     pub extra_corners: Option<Vec<u32>>,
 }
 
@@ -181,8 +183,7 @@ impl Subdivide {
 
     /// Before any level is made: the last one is the one that does not fit.
     fn refuse_too_many(&self, tets: usize, context: &Context) -> Result<(), Error> {
-        // The greatest l with tets · 8^l ≤ MAX_TETS.
-        let most = (MAX_TETS / tets.max(1)).checked_ilog2().map_or(0, |log| log / 3);
+        let most = most_levels(tets);
         if u32::from(self.levels) <= most {
             return Ok(());
         }
@@ -228,9 +229,10 @@ impl Subdivide {
         for name in self.surfaces.iter().flatten() {
             surfaces.extend(group_ids(mesh.raw(), 2, name, context)?);
         }
-        let creases = self.extra_creases.as_deref().unwrap_or_default();
+        let creases: Vec<[u32; 2]> =
+            self.extra_creases.iter().flatten().map(|&Ends(ends)| ends).collect();
         let corners = self.extra_corners.as_deref().unwrap_or_default();
-        let extra = ExtraFeatures::new(mesh, creases, corners)
+        let extra = ExtraFeatures::new(mesh, &creases, corners)
             .map_err(|error| context.request(error.to_string()))?;
         let defaults = FeatureOptions::default();
         Ok(FeatureOptions {

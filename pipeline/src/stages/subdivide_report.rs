@@ -182,9 +182,16 @@ impl LevelReport {
     pub(super) fn result(&self) -> String {
         let tets = short(self.tets);
         match &self.guard {
+            // Rounding aside, only where linear refinement of the input falls below.
+            Some(guard) if self.eta_min < guard.floor * (1.0 - 1e-6) => {
+                let (eta, floor) = (self.eta_min, guard.floor);
+                format!("{tets} tets, the worst η {eta:.2e} below {floor:.2e} as linear ones are")
+            }
             Some(guard) if guard.pulled_back > 0 => {
                 let (pulled, floor) = (short(guard.pulled_back), guard.floor);
-                format!("{tets} tets, {pulled} vertices pulled back to keep η above {floor:.3}")
+                let floor =
+                    if floor < 0.01 { format!("{floor:.1e}") } else { format!("{floor:.3}") };
+                format!("{tets} tets, {pulled} vertices pulled back to keep η above {floor}")
             }
             _ => format!("{tets} tets"),
         }

@@ -9,15 +9,16 @@ use serde::{Deserialize, Serialize};
 
 use super::Context;
 use crate::amount;
+use crate::derived_fields::DerivedFields;
 use crate::error::Error;
 use crate::output::{create_folder, write_with_surfaces};
 use crate::state::State;
 
 /// Writes `solution.vtu` (the finest mesh with every field, the stratum of each
-/// vertex, and region and quality a cell), `solution.sides.vtu` if there are
-/// fields that jump between regions (the finest mesh taken apart where regions
-/// meet, with these fields), and what else is asked for, each file whole or not
-/// at all.
+/// vertex, region and quality a cell, and where both are in the mesh file),
+/// `solution.sides.vtu` if there are fields that jump between regions (the finest
+/// mesh taken apart where regions meet, with these fields), and what else is asked
+/// for, each file whole or not at all.
 #[derive(Debug, Clone, PartialEq, Deserialize)]
 #[serde(deny_unknown_fields, rename_all = "kebab-case", default)]
 pub struct Write {
@@ -55,8 +56,8 @@ impl Write {
         let levels = if self.levels { meshes.len() } else { 0 };
         let folder = context.output_folder;
         create_folder(folder)?;
-        let derived = DerivedFields::new(finest, topologies.last());
-        let notes = derived.replaced(state);
+        let derived = derived_fields(state, finest, topologies.last());
+        let notes = derived.replaced(&state.point_fields, &state.cell_fields);
         context.remark(&notes);
         let mut files = context.progress.step(1, levels + 1, "solution.vtu", || {
             let mut solution = Dataset {
@@ -82,7 +83,7 @@ impl Write {
                 if number + 1 == meshes.len() {
                     return write_level(&path, mesh, &derived);
                 }
-                write_level(&path, mesh, &DerivedFields::new(mesh, Some(topology)))
+                write_level(&path, mesh, &derived_fields(state, mesh, Some(topology)))
             })?;
             files.push(path);
             entries.push((number as f64, name));
@@ -137,55 +138,19 @@ fn write_sides(path: &Path, state: &State) -> Result<Option<PathBuf>, Error> {
     Ok(Some(path.into()))
 }
 
-/// What is computed from a mesh to look at it.
-struct DerivedFields {
-    /// The dimension of each vertex's stratum: 0 fixed, 1 curve, 2 surface, 3 solid;
-    /// none of a mesh whose features are not known yet.
-    stratum: Option<Field>,
-    /// The mean ratio η of each tet.
-    quality: Field,
-}
-
-impl DerivedFields {
-    fn new(mesh: &TetMesh, topology: Option<&Topology>) -> Self {
-        let strata = topology.zip(mesh.features());
-        let strata = strata.map(|(topology, features)| Strata::new(mesh.raw(), topology, features));
-        let stratum = strata.map(|strata| {
-            let dimensions = strata.vertex_dimensions.into_iter().map(i64::from).collect();
-            Field::derived("stratum", Values::Integer(dimensions))
-        });
-        let quality = Field::derived("quality", Values::Float(mean_ratios(mesh.raw())));
-        Self { stratum, quality }
-    }
-
-    /// Adds them, in place of fields of their names that came with the input.
-    fn add_to(&self, dataset: &mut Dataset) {
-        let Dataset { point_fields, cell_fields, .. } = dataset;
-        for (fields, derived) in
-            [(point_fields, self.stratum.as_ref()), (cell_fields, Some(&self.quality))]
-        {
-            let Some(derived) = derived else { continue };
-            fields.retain(|field| field.name != derived.name);
-            fields.push(derived.clone());
-        }
-    }
-
-    /// A remark about each field whose place they take.
-    fn replaced(&self, state: &State) -> Vec<String> {
-        let has = |fields: &[Field], derived: &Field| {
-            fields.iter().any(|field| field.name == derived.name)
-        };
-        let stratum = self.stratum.iter().filter(|derived| has(&state.point_fields, derived));
-        let quality =
-            [&self.quality].into_iter().filter(|derived| has(&state.cell_fields, derived));
-        let note = |field: &Field| {
-            let name = &field.name;
-            format!(
-                "the mesh file has a field `{name}`, which was left out: the name is that of a field computed here; rename it to keep it"
-            )
-        };
-        stratum.chain(quality).map(note).collect()
-    }
+/// What is computed from a level to look at it: where its vertices and tets are in
+/// the mesh file; the dimension of each vertex's stratum (0 fixed, 1 curve, 2
+/// surface, 3 solid), if the features are known; the mean ratio η of each tet.
+fn derived_fields(state: &State, mesh: &TetMesh, topology: Option<&Topology>) -> DerivedFields {
+    let strata = topology.zip(mesh.features());
+    let strata = strata.map(|(topology, features)| Strata::new(mesh.raw(), topology, features));
+    let stratum = strata.map(|strata| {
+        let dimensions = strata.vertex_dimensions.into_iter().map(i64::from).collect();
+        Field::derived("stratum", Values::Integer(dimensions))
+    });
+    let quality = Field::derived("quality", Values::Float(mean_ratios(mesh.raw())));
+    let looks = DerivedFields { points: stratum.into_iter().collect(), cells: vec![quality] };
+    looks.and(state.input_numbers.fields(mesh))
 }
 
 fn size(path: &Path) -> u64 {

@@ -1,0 +1,76 @@
+//! Where the vertices and tets of a level are in the mesh file.
+
+use octruss_mesh::{Renumbering, TetMesh};
+use octruss_meshio::{Dataset, Field, Values};
+
+use crate::derived_fields::DerivedFields;
+
+/// The field that tells the number of each vertex.
+const VERTEX: &str = "input-vertex";
+
+/// The field that tells the number of each tet.
+const TET: &str = "input-tet";
+
+/// The number of a vertex that the file does not have.
+const MADE: i64 = -1;
+
+/// For the coarsest level, the number of each vertex and tet in the mesh file,
+/// from 0; tets are counted among tets.
+///
+/// A file that was written by an earlier run and records features carries these
+/// numbers, too: they go on meaning the file that was first refined.
+#[derive(Debug, Clone, Default, PartialEq, Eq)]
+pub struct InputNumbers {
+    vertices: Vec<i64>,
+    tets: Vec<i64>,
+}
+
+impl InputNumbers {
+    /// The numbers that a file has or gives its vertices and tets.
+    pub fn of(dataset: &Dataset) -> Self {
+        let refined = dataset.mesh.features.is_some();
+        let recorded = |fields: &[Field], name: &str, count: usize| {
+            fields
+                .iter()
+                .filter(|field| refined && field.derived && field.name == name)
+                .find_map(|field| match &field.values {
+                    Values::Integer(numbers) if numbers.len() == count => Some(numbers.clone()),
+                    _ => None,
+                })
+                .unwrap_or_else(|| (0..count as i64).collect())
+        };
+        let Dataset { mesh, point_fields, cell_fields, .. } = dataset;
+        Self {
+            vertices: recorded(point_fields, VERTEX, mesh.points.len()),
+            tets: recorded(cell_fields, TET, mesh.tets.len()),
+        }
+    }
+
+    /// Those of the vertices that checking kept.
+    pub fn keep_vertices(&mut self, kept: &[u32]) {
+        self.vertices = pick(&self.vertices, kept);
+    }
+
+    /// Follows the mesh to its new numbers.
+    pub fn renumber(&mut self, from: &Renumbering) {
+        self.vertices = pick(&self.vertices, &from.vertices);
+        self.tets = pick(&self.tets, &from.tets);
+    }
+
+    /// The numbers as fields of a level: new vertices have −1, children the number
+    /// of their ancestor.
+    pub fn fields(&self, level: &TetMesh) -> DerivedFields {
+        let mut vertices = self.vertices.clone();
+        vertices.resize(level.points().len(), MADE);
+        let children = level.tets().len() / self.tets.len().max(1);
+        let tets = self.tets.iter().flat_map(|&tet| std::iter::repeat_n(tet, children)).collect();
+        DerivedFields {
+            points: vec![Field::derived(VERTEX, Values::Integer(vertices))],
+            cells: vec![Field::derived(TET, Values::Integer(tets))],
+        }
+    }
+}
+
+fn pick(numbers: &[i64], from: &[u32]) -> Vec<i64> {
+    from.iter().map(|&old| numbers[old as usize]).collect()
+}

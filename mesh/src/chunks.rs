@@ -2,6 +2,8 @@
 
 use rayon::prelude::*;
 
+use crate::large_array::zeroed;
+
 /// Rows a task; large enough that splitting costs nothing.
 pub(crate) const CHUNK: usize = 1024;
 
@@ -11,6 +13,16 @@ pub(crate) fn accumulate<T: Copy + std::ops::AddAssign>(counts: &mut [T]) {
         let before = counts[i - 1];
         counts[i] += before;
     }
+}
+
+/// Where each row starts in an array of all rows' entries, and their number at
+/// the end, from how many each row has.
+pub(crate) fn offsets(rows: usize, count: impl Fn(usize) -> usize + Sync) -> Vec<u32> {
+    let mut offsets = zeroed(rows + 1);
+    let counts = offsets[1..].par_iter_mut().with_min_len(CHUNK).enumerate();
+    counts.for_each(|(row, slot)| *slot = count(row) as u32);
+    accumulate(&mut offsets);
+    offsets
 }
 
 /// Arrays that are cut at the same places: one, or several side by side.

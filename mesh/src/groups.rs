@@ -127,9 +127,7 @@ impl<E> Groups<E> {
     pub fn offsets(&self) -> &[u32] {
         &self.offsets
     }
-}
 
-impl<E: Sync + PartialEq> Groups<E> {
     /// The runs of neighbouring equal entries of one key, in the sense of `same`.
     pub fn runs(&self, key: usize, same: impl Fn(&E, &E) -> bool) -> impl Iterator<Item = &[E]> {
         self.of(key).chunk_by(same)

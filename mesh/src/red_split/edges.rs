@@ -57,13 +57,9 @@ impl<'a> InnerEdges<'a> {
         let count = |edge: usize| {
             let faces =
                 2 * coarse.faces_from(edge as u32).len() + edge_faces.middle(edge as u32).len();
-            (faces + diagonals.of(edge).len()) as u32
+            faces + diagonals.of(edge).len()
         };
-        let mut firsts = zeroed(coarse.edges.len() + 1);
-        let counts = firsts[1..].par_iter_mut().with_min_len(CHUNK).enumerate();
-        counts.for_each(|(edge, slot)| *slot = count(edge));
-        chunks::accumulate(&mut firsts);
-        Self { firsts, edge_faces, diagonals }
+        Self { firsts: chunks::offsets(coarse.edges.len(), count), edge_faces, diagonals }
     }
 
     /// The inner edges of a coarse edge e, in order: e' and where it comes from.
@@ -93,8 +89,7 @@ impl<'a> InnerEdges<'a> {
         let [at_ab, at_ac] = [ab, ac].map(|edge| self.firsts[edge as usize]);
         let [from_ab, from_ac] = [ab, ac].map(|edge| coarse.faces_from(edge).len() as u32);
         let place = face - coarse.first_faces[ab as usize];
-        let middle = self.edge_faces.middle(ac);
-        let rank = middle.iter().take_while(|&&other| other < face).count() as u32;
+        let rank = self.edge_faces.rank_in_middle(ac, face);
         let diagonals_before = |edge: u32| {
             let diagonals = self.diagonals.of(edge as usize).iter();
             diagonals.take_while(|&&(high, _)| high < bc).count() as u32

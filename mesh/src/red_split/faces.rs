@@ -5,12 +5,11 @@ use std::sync::atomic::{AtomicU32, Ordering::Relaxed};
 use rayon::prelude::*;
 
 use super::edges::{FineEdges, Inner};
-use super::slots::{
-    BETWEEN, CUTS, DIAGONAL, INNER_CHILDREN, MIDDLE_CHILD, beside_diagonal, is_marked,
-};
+use super::slots::{BETWEEN, CUTS, DIAGONAL, INNER_CHILDREN, MIDDLE_CHILD, beside_diagonal};
 use super::{Parent, Parents};
 use crate::chunks::{self, CHUNK};
 use crate::large_array::{defaults, zeroed};
+use crate::reference_tet::MARKED;
 use crate::topology::{NONE, VertexEdges};
 
 /// The fine faces, and where each coarse face and tet finds its own.
@@ -61,7 +60,8 @@ fn for_each_last(parents: &Parents, [p, q]: [u32; 2], from: Inner, mut each: imp
         }
         Inner::Diagonal { tet } => {
             let parent = parents.parent(tet as usize);
-            let local = if parent.edges[1] == p { [1, 4] } else { [4, 1] };
+            let [first, second] = MARKED;
+            let local = if parent.edges[first] == p { [first, second] } else { [second, first] };
             for m in [0, 2, 3, 5] {
                 inner_last(&parent, q, local, m, beside_diagonal(m), &mut each);
             }
@@ -80,9 +80,9 @@ fn beside_cut(parent: &Parent, [p, q]: [u32; 2], each: &mut impl FnMut(Last)) {
     }
     let between = BETWEEN[lp][lq];
     inner_last(parent, q, [lp, lq], between.third.into(), between.corner.into(), each);
-    if is_marked(lp) {
+    if MARKED.contains(&lp) {
         inner_last(parent, q, [lp, lq], 5 - lp, beside_diagonal(lq), each);
-    } else if is_marked(lq) {
+    } else if MARKED.contains(&lq) {
         inner_last(parent, q, [lp, lq], 5 - lq, beside_diagonal(lp), each);
     }
 }
@@ -200,8 +200,7 @@ fn corner_parts(parents: &Parents, fine: &FineEdges, firsts: &[u32], face: u32) 
     let coarse = parents.topology;
     let [ab, ac, _] = coarse.face_edges[face as usize];
     let place = face - coarse.first_faces[ab as usize];
-    let middle = fine.inner.edge_faces.middle(ac);
-    let rank = middle.iter().take_while(|&&other| other < face).count() as u32;
+    let rank = fine.inner.edge_faces.rank_in_middle(ac, face);
     let [at_a, at_b] = fine.halves[ab as usize].map(|half| firsts[half as usize]);
     let at_c = firsts[fine.halves[ac as usize][1] as usize];
     [at_a + place, at_b + fine.inner.edge_faces.middle(ab).len() as u32 + place, at_c + rank]
@@ -260,13 +259,7 @@ impl Maker<'_> {
         let [low, high] = [i, j].map(|side: usize| sides[side]);
         let halves = [low, high].map(|edge| self.fine.halves[edge as usize]);
         let edges = [halves[0][ends[0]], halves[1][ends[1]], self.fine.cuts[face as usize][corner]];
-        let tets = coarse.face_tets[face as usize].map(|tet| match tet {
-            NONE => NONE,
-            tet => {
-                let vertices = self.parents.vertices(tet as usize);
-                8 * tet + vertices.iter().position(|&own| own == v).unwrap_or(0) as u32
-            }
-        });
+        let tets = self.children_on(face, |parent| place_of(v, parent.vertices));
         writer.push([v, n + low, n + high], edges, tets);
     }
 
@@ -299,12 +292,18 @@ impl Maker<'_> {
     /// The second and third edge of the middle of a face, and its tets.
     fn middle_face(&self, face: u32) -> ([u32; 2], [u32; 2]) {
         let [_, second, third] = self.fine.cuts[face as usize];
+        let child = |parent: &Parent| MIDDLE_CHILD[place_of(face, parent.faces) as usize];
+        ([second, third], self.children_on(face, child))
+    }
+
+    /// The tets on a part of a coarse face: of each tet there the child that is told.
+    #[inline]
+    fn children_on(&self, face: u32, child: impl Fn(&Parent) -> u32) -> [u32; 2] {
         let mut tets = self.parents.topology.face_tets[face as usize];
         for tet in tets.iter_mut().filter(|tet| **tet != NONE) {
-            let faces = self.parents.parent(*tet as usize).faces;
-            *tet = 8 * *tet + MIDDLE_CHILD[place_of(face, faces) as usize];
+            *tet = 8 * *tet + child(&self.parents.parent(*tet as usize));
         }
-        ([second, third], tets)
+        tets
     }
 
     /// The second and third edge of a face inside a tet, and its tets.

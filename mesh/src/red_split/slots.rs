@@ -1,7 +1,7 @@
 //! Where each edge and face of a child comes from: tables made from
 //! [`CHILDREN`] at compile time.
 
-use crate::reference_tet::{CHILDREN, EDGES, FACES, MARKED, edge_between};
+use crate::reference_tet::{CHILDREN, EDGES, FACES, edge_between};
 
 /// The 25 edges of a split tet: 2 · edge + end (0 or 1 of its ends) for halves,
 /// [`CUTS`] + 3 · face + corner (0, 1, 2 of its vertices) for cuts, then the
@@ -48,11 +48,6 @@ pub const BETWEEN: [[Between; 6]; 6] = between();
 /// The inner face at the diagonal that ends in the midpoint of an unmarked edge.
 pub const fn beside_diagonal(edge: usize) -> usize {
     [4, 4, 5, 6, 4, 7][edge]
-}
-
-/// Whether a tet marks one of its edges.
-pub const fn is_marked(edge: usize) -> bool {
-    edge == MARKED[0] || edge == MARKED[1]
 }
 
 /// The vertex that two edges share, if they do.

@@ -33,6 +33,12 @@ impl<'a> EdgeFaces<'a> {
         self.middle.get_or_init(|| by_edge(self.topology, 1)).of(edge as usize)
     }
 
+    /// How many faces before this one an edge is the middle edge of.
+    #[inline]
+    pub fn rank_in_middle(&self, edge: u32, face: u32) -> u32 {
+        self.middle(edge).iter().take_while(|&&other| other < face).count() as u32
+    }
+
     /// The faces that an edge is the last edge of, ascending.
     #[inline]
     pub fn last(&self, edge: u32) -> &[u32] {

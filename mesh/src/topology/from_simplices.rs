@@ -92,7 +92,7 @@ impl Topology {
         // (last vertex, tet) pairs at each first edge.
         let groups = Groups::new(self.edges.len(), tets + triangles.len(), emit).sort();
         let runs = |edge| groups.runs(edge, |p: &(u32, u32), q| p.0 == q.0);
-        self.first_faces = distinct_offsets(groups.keys(), |edge| runs(edge).count());
+        self.first_faces = chunks::offsets(groups.keys(), |edge| runs(edge).count());
         let count = self.first_faces[self.edges.len()] as usize;
         (self.faces, self.face_edges, self.face_tets) =
             (zeroed(count), zeroed(count), zeroed(count));
@@ -166,20 +166,11 @@ fn distinct_edges(mesh: &RawMesh) -> (Vec<[u32; 2]>, Vec<u32>) {
     let sources = tets.len() + triangles.len() + mesh.edges.len();
     let groups = Groups::new(mesh.points.len(), sources, emit).sort();
     let runs = |vertex| groups.runs(vertex, |p, q| p == q);
-    let first_edges = distinct_offsets(groups.keys(), |vertex| runs(vertex).count());
+    let first_edges = chunks::offsets(groups.keys(), |vertex| runs(vertex).count());
     let mut edges = zeroed(first_edges[groups.keys()] as usize);
     chunks::for_each(&first_edges, &mut edges[..], |first, last, edges| {
         let ends = (first..last).flat_map(|low| runs(low).map(move |run| [low as u32, run[0]]));
         edges.iter_mut().zip(ends).for_each(|(edge, ends)| *edge = ends);
     });
     (edges, first_edges)
-}
-
-/// Offsets of rows with so many entries.
-fn distinct_offsets(rows: usize, count: impl Fn(usize) -> usize + Sync) -> Vec<u32> {
-    let mut offsets = vec![0; rows + 1];
-    let counts = offsets[1..].par_iter_mut().with_min_len(CHUNK).enumerate();
-    counts.for_each(|(row, slot)| *slot = count(row) as u32);
-    chunks::accumulate(&mut offsets);
-    offsets
 }

@@ -1,7 +1,10 @@
 //! Assembly against slow references, and solutions that are known exactly.
 
+mod bodies;
+
+use bodies::{checked, unit_tet, with_tagged_boundary};
 use octruss_mesh::shapes::{five_tet_cube, kuhn_cube, regular_tet};
-use octruss_mesh::{RawMesh, TetMesh, Topology, check};
+use octruss_mesh::{TetMesh, Topology};
 use octruss_solver::*;
 
 fn solve(mesh: &TetMesh, problem: &Poisson) -> Vec<f64> {
@@ -11,20 +14,6 @@ fn solve(mesh: &TetMesh, problem: &Poisson) -> Vec<f64> {
     let goal = SolveOptions { tolerance: 1e-13, ..SolveOptions::default() };
     let (x, _) = conjugate_gradients(&system.matrix, &system.rhs, &mut direct, &goal).unwrap();
     system.expand(&x).unwrap()
-}
-
-fn checked(raw: RawMesh) -> TetMesh {
-    check(raw, &Default::default()).unwrap().mesh
-}
-
-/// The boundary triangles of a mesh under tag 1, for shapes without tags.
-fn with_tagged_boundary(mesh: TetMesh) -> TetMesh {
-    let topology = Topology::new(mesh.raw());
-    let mut raw = mesh.into_raw();
-    for face in (0..topology.faces().len()).filter(|&f| topology.is_boundary(f)) {
-        raw.triangles.push(topology.faces()[face], 1);
-    }
-    checked(raw)
 }
 
 /// Element by element into a dense matrix, gradients by inverting the 3 × 3
@@ -100,15 +89,7 @@ fn assembly_agrees_with_the_dense_reference() {
 fn one_free_corner_of_the_unit_tet_has_its_textbook_row() {
     // Gradients (−1, −1, −1) and e₁, volume 1/6: diagonal 3/6; a source f gives
     // f V / 4 = f / 24; a flux g on the face x = 0 gives g A / 3 = g / 6.
-    let mut raw = RawMesh {
-        points: vec![[0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]],
-        tets: vec![[0, 1, 2, 3]],
-        regions: vec![4],
-        ..RawMesh::default()
-    };
-    raw.triangles.push([1, 2, 3], 10);
-    raw.triangles.push([0, 2, 3], 11);
-    let mesh = checked(raw);
+    let mesh = unit_tet();
     let problem = Poisson {
         source: 48.0.into(),
         fixed: vec![(10, 6.0.into())],

@@ -1,4 +1,4 @@
-//! Meshes and a plain solver for tests of elasticity.
+//! Meshes for tests of assembly, and a plain solver for elasticity.
 
 #![allow(dead_code, reason = "each test program uses its own part")]
 
@@ -144,4 +144,54 @@ pub fn errors(
         squares[1] += h1_seminorm_error(mesh, &component, |p| gradient(p)[k]).powi(2);
     }
     squares.map(f64::sqrt)
+}
+
+/// The boundary triangles of a mesh under tag 1, for shapes without tags.
+pub fn with_tagged_boundary(mesh: TetMesh) -> TetMesh {
+    let topology = Topology::new(mesh.raw());
+    let mut raw = mesh.into_raw();
+    for face in (0..topology.faces().len()).filter(|&f| topology.is_boundary(f)) {
+        raw.triangles.push(topology.faces()[face], 1);
+    }
+    checked(raw)
+}
+
+/// The tet of the origin and the unit vectors, its region 4, with the face opposite
+/// the origin tagged 10 and that in the plane x = 0 tagged 11.
+pub fn unit_tet() -> TetMesh {
+    let mut raw = RawMesh {
+        points: vec![[0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]],
+        tets: vec![[0, 1, 2, 3]],
+        regions: vec![4],
+        ..RawMesh::default()
+    };
+    raw.triangles.push([1, 2, 3], 10);
+    raw.triangles.push([0, 2, 3], 11);
+    checked(raw)
+}
+
+/// The displacement x ↦ A x + b.
+pub const AFFINE: ([[f64; 3]; 3], [f64; 3]) =
+    ([[0.3, -0.2, 0.5], [0.1, 0.4, -0.6], [-0.7, 0.2, 0.1]], [1.0, -2.0, 0.5]);
+
+pub fn affine([x, y, z]: [f64; 3]) -> [f64; 3] {
+    let (a, b) = AFFINE;
+    std::array::from_fn(|i| a[i][0] * x + a[i][1] * y + a[i][2] * z + b[i])
+}
+
+pub fn affine_support(surface: i32) -> Support {
+    let component = |k: usize| Some(Scalar::function(move |p| affine(p)[k]));
+    Support { surface, held: Held::Components([0, 1, 2].map(component)) }
+}
+
+pub fn assert_near<const K: usize>(
+    found: &[[f64; K]],
+    exact: impl Fn(usize) -> [f64; K],
+    bound: f64,
+) {
+    for (n, found) in found.iter().enumerate() {
+        for (found, exact) in found.iter().zip(exact(n)) {
+            assert!((found - exact).abs() <= bound, "{n}: {found} for {exact}");
+        }
+    }
 }

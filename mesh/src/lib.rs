@@ -11,6 +11,7 @@
 //! by sorting. [`reference_tet`] owns every table about a single tet,
 //! [`Scheme`] every weight, [`strata`] decides which rule holds where.
 
+mod affine_correction;
 pub mod analysis;
 mod assemble_matrix;
 pub mod carry;
@@ -28,6 +29,7 @@ pub mod locality;
 pub mod marking;
 mod neighbourhoods;
 mod octets;
+pub mod prolongation;
 pub mod quality;
 pub mod raw_mesh;
 mod red_split;
@@ -43,6 +45,7 @@ pub mod subdivision_matrix;
 pub mod tet_mesh;
 pub mod topology;
 
+pub use affine_correction::{AffineCorrection, CorrectedRows, NEGLIGIBLE_DEFECT};
 pub use assemble_matrix::subdivision_matrix;
 pub use carry::{Carried, Overshoot, carry_field};
 pub use check::{CheckError, CheckOptions, Checked, check, findings};
@@ -51,6 +54,7 @@ pub use finding::{Finding, FindingKind};
 pub use hierarchy::Hierarchy;
 pub use locality::{Renumbering, sort_along_curve};
 pub use marking::{Marking, MarkingReport, marking_report};
+pub use prolongation::{InterfaceRows, Prolongation, ProlongationOptions};
 pub use raw_mesh::{Features, Group, RawMesh, Tagged};
 pub use reference_tet::CellState;
 pub use scheme::{MarkedRule, Scheme};

@@ -12,6 +12,7 @@ use crate::marking::shortest_pairs;
 use crate::raw_mesh::{Features, RawMesh, Tagged};
 use crate::red_split::{Parents, red_split};
 use crate::reference_tet::{CellState, corners, six_volumes};
+use crate::scheme::Scheme;
 use crate::step::{Diagonal, Step};
 use crate::subdivision_matrix::SubdivisionMatrix;
 use crate::tet_mesh::TetMesh;
@@ -23,6 +24,8 @@ use crate::topology::{EdgeFaces, Topology, VertexEdges, ascending};
 /// order; the children of tet t are 8 t to 8 t + 7.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Refinement {
+    /// The scheme that made it.
+    pub scheme: Scheme,
     /// The scheme's matrix, n_fine × n_coarse: fine positions are matrix ×
     /// coarse positions.
     pub matrix: SubdivisionMatrix,
@@ -134,7 +137,7 @@ pub fn subdivide(
         tets: split.tets,
         ..split_tags(coarse, topology, diagonal)
     };
-    Ok((TetMesh::trusted(fine), split.topology, Refinement { matrix, guard }))
+    Ok((TetMesh::trusted(fine), split.topology, Refinement { scheme, matrix, guard }))
 }
 
 fn refuse_inverted(

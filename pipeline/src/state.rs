@@ -4,8 +4,8 @@ use std::borrow::Cow;
 use std::path::PathBuf;
 
 use octruss_mesh::{
-    FeatureOptions, FeatureReasons, Hierarchy, Overshoot, Renumbering, Scheme, Sides, Step,
-    SubdivideError, TetMesh, carry_field, prepare, sort_along_curve,
+    FeatureOptions, FeatureReasons, Hierarchy, Overshoot, Renumbering, Sides, Step, SubdivideError,
+    TetMesh, carry_field, prepare, sort_along_curve,
 };
 use octruss_meshio::{Dataset, Field, Values};
 
@@ -27,8 +27,6 @@ pub struct State {
     pub hierarchy: Option<Hierarchy>,
     /// Why the curves and points of the coarsest level are what they are.
     pub feature_reasons: FeatureReasons,
-    /// The scheme of each refinement.
-    pub schemes: Vec<Scheme>,
     /// Fields on the vertices of the finest mesh.
     pub point_fields: Vec<Field>,
     /// Fields on the tets of the finest mesh.
@@ -94,7 +92,6 @@ impl State {
     pub fn refine(&mut self, step: Step, overshoot: Overshoot) -> Result<usize, SubdivideError> {
         let Some(hierarchy) = &mut self.hierarchy else { return Ok(0) };
         hierarchy.subdivide(step)?;
-        self.schemes.push(step.scheme);
         let matrix = &hierarchy.refinements[hierarchy.refinements.len() - 1].matrix;
         let mut clamped = 0;
         for field in &mut self.point_fields {

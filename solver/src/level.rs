@@ -4,10 +4,11 @@ use crate::csr::Csr;
 use crate::diagonal::Diagonal;
 use crate::entry::Entry;
 use crate::gauss_seidel::Order;
-use crate::kernels::{add_product, product, residual};
+use crate::kernels::{product, residual};
 use crate::options::MultigridOptions;
 use crate::projectors::{Projectors, project};
 use crate::smoothing::Smoothing;
+use crate::weights::Weights;
 
 /// A matrix, its smoother, the transfer to the next coarser level and the work
 /// vectors of both, allocated once.
@@ -16,8 +17,8 @@ pub(crate) struct Level<E: Entry> {
     pub(crate) smoothing: Smoothing<E>,
     pub(crate) before: usize,
     pub(crate) after: usize,
-    pub(crate) prolongation: Csr<E::Real>,
-    pub(crate) restriction: Csr<E::Real>,
+    pub(crate) prolongation: Weights<E>,
+    pub(crate) restriction: Weights<E>,
     /// The constrained rows of this and of the next coarser level.
     projectors: Vec<(u32, E)>,
     coarse_projectors: Vec<(u32, E)>,
@@ -31,7 +32,7 @@ impl<E: Entry> Level<E> {
     /// A level of `scale` times a matrix in double precision.
     pub(crate) fn new<D: Entry<Real = f64>>(
         (matrix, diagonal, scale): (&Csr<D>, Diagonal<D>, f64),
-        (prolongation, restriction): (&Csr<f64>, &Csr<f64>),
+        (prolongation, restriction): (&Weights<D>, &Weights<D>),
         [fine, coarse]: [&Projectors<D>; 2],
         options: &MultigridOptions,
     ) -> Self {
@@ -77,21 +78,21 @@ impl<E: Entry> Level<E> {
 
     /// The coarse right-hand side: Pᵀ times the residual.
     pub(crate) fn restrict_residual(&mut self) {
-        product(&self.restriction, &self.residual, &mut self.coarse_rhs);
+        self.restriction.product(&self.residual, &mut self.coarse_rhs);
         project(&self.coarse_projectors, &mut self.coarse_rhs);
     }
 
     /// Pᵀ b, for a right-hand side.
     pub(crate) fn restrict(&self, b: &[E::Nodal]) -> Vec<E::Nodal> {
         let mut coarse = vec![E::Nodal::default(); self.restriction.rows()];
-        product(&self.restriction, b, &mut coarse);
+        self.restriction.product(b, &mut coarse);
         project(&self.coarse_projectors, &mut coarse);
         coarse
     }
 
     /// x += P times the coarse solution.
     pub(crate) fn correct(&self, x: &mut [E::Nodal]) {
-        add_product(&self.prolongation, &self.coarse_x, x);
+        self.prolongation.add_product(&self.coarse_x, x);
         project(&self.projectors, x);
     }
 
@@ -100,7 +101,7 @@ impl<E: Entry> Level<E> {
         let mut x = vec![E::Nodal::default(); self.matrix.rows()];
         match matrix {
             Some(matrix) => product(&matrix.cast::<E::Real>(), coarse, &mut x),
-            None => product(&self.prolongation, coarse, &mut x),
+            None => self.prolongation.product(coarse, &mut x),
         }
         project(&self.projectors, &mut x);
         x

@@ -9,13 +9,12 @@ use crate::diagonal::Diagonal;
 use crate::dot::largest;
 use crate::entry::{Entry, Nodal};
 use crate::error::{Error, check_finite, check_size};
-use crate::galerkin::constrained_galerkin;
 use crate::level::Level;
 use crate::options::{MultigridOptions, Precision};
 use crate::preconditioner::Preconditioner;
 use crate::projectors::Projectors;
 use crate::summary::LevelSummary;
-use crate::transpose::transpose;
+use crate::transfer::Transfer;
 use std::borrow::Cow;
 use std::time::Instant;
 
@@ -72,18 +71,32 @@ impl<E: Entry<Real = f64>> Multigrid<E> {
         projectors: Vec<Vec<(u32, E)>>,
         options: &MultigridOptions,
     ) -> Result<Self, Error> {
+        let transfers = prolongations.into_iter().map(Transfer::from).collect();
+        Self::with_transfers(matrix, transfers, projectors, options)
+    }
+
+    /// As [`Multigrid::constrained`], with a choice for each transfer.
+    ///
+    /// # Errors
+    /// As [`Multigrid::constrained`].
+    pub fn with_transfers(
+        matrix: &Csr<E>,
+        transfers: Vec<Transfer<E>>,
+        projectors: Vec<Vec<(u32, E)>>,
+        options: &MultigridOptions,
+    ) -> Result<Self, Error> {
         let start = Instant::now();
         options.check()?;
         check_size("columns of the matrix", matrix.columns(), matrix.rows())?;
-        check_size("lists of projectors", projectors.len(), prolongations.len() + 1)?;
+        check_size("lists of projectors", projectors.len(), transfers.len() + 1)?;
         check_finite("matrix", E::flat(matrix.values()))?;
         let (cycle, summaries) = match options.precision {
             Precision::Single => {
-                let (cycle, summaries) = build(matrix, prolongations, projectors, options)?;
+                let (cycle, summaries) = build(matrix, transfers, projectors, options)?;
                 (AnyCycle::Single(cycle), summaries)
             }
             Precision::Double => {
-                let (cycle, summaries) = build(matrix, prolongations, projectors, options)?;
+                let (cycle, summaries) = build(matrix, transfers, projectors, options)?;
                 (AnyCycle::Double(cycle), summaries)
             }
         };
@@ -210,7 +223,7 @@ impl<E: Entry<Real = f64>> Preconditioner<E::Nodal> for Multigrid<E> {
 /// Levels from the finest to the coarsest, with entries `F` in the cycle.
 fn build<E: Entry<Real = f64>, F: Entry>(
     matrix: &Csr<E>,
-    prolongations: Vec<Csr<f64>>,
+    transfers: Vec<Transfer<E>>,
     projectors: Vec<Vec<(u32, E)>>,
     options: &MultigridOptions,
 ) -> Result<(Cycle<F>, Vec<LevelSummary>), Error> {
@@ -224,18 +237,16 @@ fn build<E: Entry<Real = f64>, F: Entry>(
     let (mut levels, mut summaries) = (Vec::new(), Vec::new());
     let mut current = Cow::Borrowed(matrix);
     let mut constrained = next_projectors(matrix.rows())?;
-    for prolongation in prolongations.into_iter().take_while(|p| p.columns() > 0) {
-        check_size("rows of a prolongation", prolongation.rows(), current.rows())?;
-        check_finite("prolongation", prolongation.values())?;
-        let coarse_constrained = next_projectors(prolongation.columns())?;
-        let restriction = transpose(&prolongation);
-        let transfer = (&prolongation, &restriction);
-        let coarse = constrained_galerkin((&current, &constrained), transfer, &coarse_constrained);
+    for transfer in transfers.into_iter().take_while(|t| t.prolongation.columns() > 0) {
+        transfer.check(current.rows())?;
+        let coarse_constrained = next_projectors(transfer.prolongation.columns())?;
+        let both = [&constrained, &coarse_constrained];
+        let (prolongation, restriction, coarse) = transfer.apply((&current, &diagonal), both);
         let scaled = (&*current, diagonal, scale);
-        let level = Level::<F>::new(scaled, transfer, [&constrained, &coarse_constrained], options);
+        let level = Level::<F>::new(scaled, (&prolongation, &restriction), both, options);
         summaries.push(LevelSummary {
             bytes: level.bytes(),
-            prolongation_nonzeros: Some(prolongation.nonzeros() * E::SIZE),
+            prolongation_nonzeros: Some(prolongation.multiplications()),
             largest_eigenvalue: level.smoothing.largest_eigenvalue,
             ..LevelSummary::of(&*current)
         });

@@ -4,15 +4,25 @@
 use crate::accumulator::Accumulator;
 use crate::chunks::map_ranges;
 use crate::csr::Csr;
+use crate::entry::Entry;
 
 /// A B, with every entry that the patterns can produce, zeros included.
 ///
 /// # Panics
 /// If the inner dimensions differ.
 pub fn multiply(a: &Csr<f64>, b: &Csr<f64>) -> Csr<f64> {
+    multiply_with(a, b, |a, b, sum: f64| sum + a * b)
+}
+
+/// A B where `add(a, b, sum)` is sum + a b.
+pub(crate) fn multiply_with<A: Copy + Sync, B: Copy + Sync, E: Entry>(
+    a: &Csr<A>,
+    b: &Csr<B>,
+    add: impl Fn(A, B, E) -> E + Sync,
+) -> Csr<E> {
     assert_eq!(a.columns(), b.rows(), "columns of the left, rows of the right factor");
     let chunks = map_ranges(a.rows(), |rows| {
-        let mut row = Accumulator::<f64>::new(b.columns());
+        let mut row = Accumulator::<E>::new(b.columns());
         let (mut lengths, mut indices, mut values) = (Vec::new(), Vec::new(), Vec::new());
         for i in rows {
             row.clear();
@@ -20,7 +30,8 @@ pub fn multiply(a: &Csr<f64>, b: &Csr<f64>) -> Csr<f64> {
             for (&k, &weight) in a_indices.iter().zip(a_values) {
                 let (columns, b_values) = b.row(k as usize);
                 for (&j, &v) in columns.iter().zip(b_values) {
-                    *row.at(j) += weight * v;
+                    let sum = row.at(j);
+                    *sum = add(weight, v, *sum);
                 }
             }
             row.touched.sort_unstable();
@@ -38,7 +49,7 @@ pub fn multiply(a: &Csr<f64>, b: &Csr<f64>) -> Csr<f64> {
         offsets.push(end);
     }
     let indices: Vec<&[u32]> = chunks.iter().map(|(_, indices, _)| &**indices).collect();
-    let values: Vec<&[f64]> = chunks.iter().map(|(.., values)| &**values).collect();
+    let values: Vec<&[E]> = chunks.iter().map(|(.., values)| &**values).collect();
     Csr::trusted(b.columns(), offsets, indices.concat(), values.concat())
 }
 

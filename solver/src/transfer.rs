@@ -1,10 +1,73 @@
-//! Prolongations for the multigrid: subdivision matrices between free unknowns.
+//! How a level hangs on the next coarser one, and prolongations from meshes:
+//! subdivision matrices between free unknowns.
 
 use crate::csr::Csr;
+use crate::diagonal::Diagonal;
 use crate::dofs::Dofs;
-use crate::error::{Error, check_size};
+use crate::entry::Entry;
+use crate::error::{Error, check_finite, check_size};
+use crate::galerkin::constrained_galerkin;
+use crate::projectors::Projectors;
 use crate::rows::build_rows;
+use crate::smoothed::{galerkin_of_entries, smoothed};
+use crate::transpose::transpose;
+use crate::weights::Weights;
 use octruss_mesh::SubdivisionMatrix;
+
+/// How a level hangs on the next coarser one.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Transfer<E> {
+    /// From the coarse unknowns to those of this level, a number an entry, which acts
+    /// on all components of a block alike.
+    pub prolongation: Csr<f64>,
+    /// Whether it is smoothed first by a step of Jacobi's method:
+    /// (I − ω D⁻¹ A) P with ω = 4 / (3 λmax) and the matrix of this level.
+    pub smooth: bool,
+    /// The coarse matrix, assembled on the coarse mesh; the Galerkin product Pᵀ A P
+    /// if there is none. It must be constrained as the coarse level is.
+    pub coarse_matrix: Option<Csr<E>>,
+}
+
+impl<E> From<Csr<f64>> for Transfer<E> {
+    /// With the Galerkin product, not smoothed.
+    fn from(prolongation: Csr<f64>) -> Self {
+        Self { prolongation, smooth: false, coarse_matrix: None }
+    }
+}
+
+impl<E: Entry<Real = f64>> Transfer<E> {
+    /// # Errors
+    /// [`Error::Size`] unless it leads to so many rows, [`Error::NotFinite`].
+    pub(crate) fn check(&self, rows: usize) -> Result<(), Error> {
+        check_size("rows of a prolongation", self.prolongation.rows(), rows)?;
+        check_finite("prolongation", self.prolongation.values())?;
+        let Some(coarse) = &self.coarse_matrix else { return Ok(()) };
+        check_size("rows of a coarse matrix", coarse.rows(), self.prolongation.columns())?;
+        check_size("columns of a coarse matrix", coarse.columns(), coarse.rows())?;
+        check_finite("coarse matrix", E::flat(coarse.values()))
+    }
+
+    /// Prolongation, restriction and coarse matrix, given the matrix of this level and
+    /// the constrained rows of this and the coarse level.
+    pub(crate) fn apply(
+        self,
+        (matrix, diagonal): (&Csr<E>, &Diagonal<E>),
+        [fine, coarse]: [&Projectors<E>; 2],
+    ) -> (Weights<E>, Weights<E>, Csr<E>) {
+        let Self { prolongation: p, smooth, coarse_matrix } = self;
+        if smooth {
+            let p = smoothed((matrix, diagonal), &p, [fine, coarse]);
+            let given = coarse_matrix.unwrap_or_else(|| galerkin_of_entries(matrix, &p, coarse));
+            let p = Weights::Entries(p);
+            let restriction = p.transposed();
+            return (p, restriction, given);
+        }
+        let restriction = transpose(&p);
+        let given = coarse_matrix
+            .unwrap_or_else(|| constrained_galerkin((matrix, fine), (&p, &restriction), coarse));
+        (Weights::Numbers(p), Weights::Numbers(restriction), given)
+    }
+}
 
 /// The rows and columns of a subdivision matrix that belong to free unknowns.
 ///

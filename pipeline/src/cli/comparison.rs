@@ -22,7 +22,7 @@ fn compare(title: &str, solves: &[SolveFigures]) -> String {
     };
     let worst = |defects: &[f64]| defects.iter().copied().fold(0.0, f64::max);
     table(&[
-        row(title, &|solve| solve.prolongation.into()),
+        row(title, &|solve| solve.prolongation.clone()),
         row("unknowns", &|solve| short(solve.unknowns)),
         row("levels", &|solve| solve.levels.to_string()),
         row("iterations", &|solve| solve.iterations.to_string()),

@@ -12,6 +12,7 @@ use super::fixed::Fixed;
 use super::groups::{by_region, on_surfaces};
 use super::multigrid::{Discrete, LevelUnknowns, blank_outside, range};
 use super::solve::{Outcome, Solve, assembled, solve_in_turn};
+use super::transfers::CoarseOperator;
 use crate::error::Error;
 use crate::recipe::{self, PerRegion, ValueOrVector, VectorValue};
 
@@ -27,7 +28,7 @@ pub(super) fn solve(
 ) -> Result<Outcome, Error> {
     let problem = problem(options, hierarchy.finest().raw(), context)?;
     let (Assembled { discrete, constraints }, assembly_seconds) =
-        assembled(options, context, || discretise(hierarchy, &problem))?;
+        assembled(options, context, || discretise(hierarchy, &problem, options.coarse_operator.0))?;
     let expand = |x: &[[f64; 3]]| {
         let mut displacement = constraints.expand(x)?;
         let length = |u: &[f64; 3]| u.iter().map(|u| u * u).sum::<f64>().sqrt();
@@ -56,21 +57,31 @@ impl AsRef<Discrete<[[f64; 3]; 3]>> for Assembled {
 }
 
 /// The system on the finest level and the unknowns of all.
-fn discretise(hierarchy: &Hierarchy, problem: &Elasticity) -> Result<Assembled, SolverError> {
+fn discretise(
+    hierarchy: &Hierarchy,
+    problem: &Elasticity,
+    coarse_operator: CoarseOperator,
+) -> Result<Assembled, SolverError> {
     let finest = hierarchy.meshes.len() - 1;
-    let coarse = hierarchy.meshes.iter().zip(&hierarchy.topologies).take(finest);
-    let level = |held: &Constraints| LevelUnknowns {
+    let level = |held: &Constraints, matrix| LevelUnknowns {
         dofs: held.dofs().clone(),
         projectors: held.projectors(),
+        matrix,
     };
-    let mut levels: Vec<LevelUnknowns<_>> = coarse
-        .map(|(mesh, topology)| {
-            Constraints::new(mesh, topology, &problem.supports).map(|held| level(&held))
-        })
-        .collect::<Result<_, _>>()?;
+    let coarse = hierarchy.meshes.iter().zip(&hierarchy.topologies).take(finest);
+    let coarse = coarse.map(|(mesh, topology)| match coarse_operator {
+        CoarseOperator::Galerkin => {
+            Ok(level(&Constraints::new(mesh, topology, &problem.supports)?, None))
+        }
+        CoarseOperator::Reassembled => {
+            let system = assemble_elasticity(mesh, topology, problem)?;
+            Ok(level(&system.constraints, Some(system.matrix)))
+        }
+    });
+    let mut levels = coarse.collect::<Result<Vec<_>, SolverError>>()?;
     let (mesh, topology) = (&hierarchy.meshes[finest], &hierarchy.topologies[finest]);
     let VectorSystem { matrix, rhs, constraints } = assemble_elasticity(mesh, topology, problem)?;
-    levels.push(level(&constraints));
+    levels.push(level(&constraints, None));
     Ok(Assembled { discrete: Discrete { matrix, rhs, levels }, constraints })
 }
 

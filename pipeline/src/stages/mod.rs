@@ -18,6 +18,7 @@ mod poisson;
 mod solve;
 mod subdivide;
 mod subdivide_report;
+mod transfers;
 mod unfinished;
 mod write;
 
@@ -42,6 +43,7 @@ pub use subdivide::Subdivide;
 pub use subdivide_report::{
     GuardFigures, LevelReport, MarkingFigures, ReasonCounts, Strata, SubdivideReport,
 };
+pub use transfers::{CoarseOperator, TransferFigures};
 pub use write::{Write, WriteReport};
 
 use crate::error::Error;

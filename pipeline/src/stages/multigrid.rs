@@ -1,26 +1,33 @@
 //! One solve with one prolongation, and its figures.
 
-use std::borrow::Cow;
 use std::ops::ControlFlow;
 use std::time::Instant;
 
-use octruss_mesh::{Hierarchy, Scheme, SubdivisionMatrix, TetMesh, linear_matrix};
-use octruss_solver::{Csr, Dofs, Entry, Error, Multigrid, SolveOptions, restrict_to_free};
+use octruss_mesh::{Hierarchy, TetMesh};
+use octruss_solver::{Csr, Dofs, Entry, Error, Multigrid, SolveOptions};
 use serde::Serialize;
 
 use super::Context;
 use super::account::{AccountFigures, REPEATS};
 use super::method::MethodFigures;
 use super::solve::Solve;
+use super::transfers::{CoarseOperator, TransferFigures, reassemble, transfers};
 use crate::progress::News;
+use crate::recipe::{Choice, Prolongations};
 
 /// What one solve took and reached.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct SolveFigures {
     /// By which expectations call it: the prolongation.
-    pub name: &'static str,
-    /// The scheme whose matrices prolong.
-    pub prolongation: &'static str,
+    pub name: String,
+    /// What prolongs; if the finest transfer is apart, `FINEST/COARSER`.
+    pub prolongation: String,
+    /// Which rows were made exact for linear functions.
+    pub affine_correction: &'static str,
+    /// What rows on interfaces read.
+    pub interface_rows: &'static str,
+    /// Where coarse matrices come from.
+    pub coarse_operator: &'static str,
     /// What it was done with.
     #[serde(flatten)]
     pub method: MethodFigures,
@@ -39,6 +46,8 @@ pub struct SolveFigures {
     /// For each transfer, the coarsest first, how far it misses linear functions,
     /// in mean edge lengths.
     pub affine_defects: Vec<f64>,
+    /// More about each transfer, the coarsest first.
+    pub transfers: Vec<TransferFigures>,
     /// Iterations, one cycle each.
     pub iterations: usize,
     /// ‖b − A x‖ / ‖b‖ at the end.
@@ -87,6 +96,8 @@ pub struct LevelUnknowns<E> {
     /// Those that are held in some directions, with the projector onto the free
     /// ones.
     pub projectors: Vec<(u32, E)>,
+    /// The matrix assembled on this level, where a coarse one is asked for.
+    pub matrix: Option<Csr<E>>,
 }
 
 impl<E: Entry> AsRef<Self> for Discrete<E> {
@@ -114,18 +125,21 @@ impl<E: Entry> Discrete<E> {
 /// Whatever the solver reports.
 pub fn solve_with<E: Entry<Real = f64>>(
     options: &Solve,
-    scheme: Scheme,
+    prolongations: Prolongations,
     hierarchy: &Hierarchy,
     discrete: &Discrete<E>,
     context: &Context,
 ) -> Result<(Vec<E::Nodal>, SolveFigures), Error> {
     let start = Instant::now();
-    let matrices = subdivision_matrices(hierarchy, scheme);
     let Discrete { matrix, rhs, levels } = discrete;
-    let prolongations = prolongations(&matrices, levels)?;
+    let transfer_options = options.transfer_options(prolongations);
+    let (mut transfers, transfer_figures) = transfers(&transfer_options, hierarchy, levels)?;
+    if options.coarse_operator.0 == CoarseOperator::Reassembled {
+        reassemble(&mut transfers, levels.iter().filter_map(|level| level.matrix.clone()));
+    }
     let projectors = levels.iter().rev().map(|level| level.projectors.clone()).collect();
     let cycle = options.multigrid_options();
-    let mut multigrid = Multigrid::constrained(matrix, prolongations, projectors, &cycle)?;
+    let mut multigrid = Multigrid::with_transfers(matrix, transfers, projectors, &cycle)?;
     let setup_seconds = start.elapsed().as_secs_f64();
     let tell = |iteration: usize, residual: f64| {
         context
@@ -142,12 +156,12 @@ pub fn solve_with<E: Entry<Real = f64>>(
     let account = options.account.then(|| multigrid.account(REPEATS).into());
     let digits = -report.relative_residual.log10();
     let cycles = report.iterations as f64;
-    let defect = |(transfer, matrix): (usize, &Cow<SubdivisionMatrix>)| {
-        hierarchy.affine_defect(transfer, matrix)
-    };
     let figures = SolveFigures {
-        name: scheme.name(),
-        prolongation: scheme.name(),
+        name: prolongations.to_string(),
+        prolongation: prolongations.to_string(),
+        affine_correction: options.affine_correction.0.name(),
+        interface_rows: options.interface_rows.0.name(),
+        coarse_operator: options.coarse_operator.0.name(),
         method: options.method_figures(&multigrid),
         unknowns: discrete.unknowns(),
         levels: multigrid.levels().len(),
@@ -155,7 +169,8 @@ pub fn solve_with<E: Entry<Real = f64>>(
         nonzeros_all_levels: multigrid.levels().iter().map(|level| level.nonzeros).sum(),
         operator_complexity: multigrid.operator_complexity(),
         grid_complexity: multigrid.grid_complexity(),
-        affine_defects: matrices.iter().enumerate().map(defect).collect(),
+        affine_defects: transfer_figures.iter().map(|t| t.affine_defect).collect(),
+        transfers: transfer_figures,
         iterations: report.iterations,
         relative_residual: report.relative_residual,
         residual_history: report.residual_history,
@@ -185,24 +200,4 @@ pub fn blank_outside<T: Copy>(solution: &mut [T], mesh: &TetMesh, blank: T) {
     for (value, _) in solution.iter_mut().zip(inside).filter(|(_, inside)| !inside) {
         *value = blank;
     }
-}
-
-/// The matrices of all transfers, coarsest first. Linear ones are made here; those
-/// of other schemes are the ones that refined the mesh.
-fn subdivision_matrices(hierarchy: &Hierarchy, scheme: Scheme) -> Vec<Cow<'_, SubdivisionMatrix>> {
-    let transfers = hierarchy.refinements.iter().zip(&hierarchy.topologies);
-    let matrix = |(refinement, topology)| match scheme {
-        Scheme::Linear => Cow::Owned(linear_matrix(topology)),
-        _ => Cow::Borrowed(refinement),
-    };
-    transfers.map(|(refinement, topology)| matrix((&refinement.matrix, topology))).collect()
-}
-
-/// Prolongations between free unknowns, finest first.
-fn prolongations<E>(
-    matrices: &[Cow<SubdivisionMatrix>],
-    levels: &[LevelUnknowns<E>],
-) -> Result<Vec<Csr<f64>>, Error> {
-    let transfers = matrices.iter().zip(levels.windows(2)).rev();
-    transfers.map(|(matrix, pair)| restrict_to_free(matrix, &pair[1].dofs, &pair[0].dofs)).collect()
 }

@@ -8,6 +8,7 @@ use super::Context;
 use super::groups::{by_region, on_surfaces};
 use super::multigrid::{Discrete, LevelUnknowns, blank_outside, range};
 use super::solve::{Outcome, Solve, assembled, solve_in_turn};
+use super::transfers::CoarseOperator;
 use crate::error::Error;
 use crate::recipe::{Value, ValueOrVector};
 
@@ -24,12 +25,18 @@ pub(super) fn solve(
     let (discrete, assembly_seconds) = assembled(options, context, || {
         let finest = hierarchy.meshes.len() - 1;
         let system = assemble(&hierarchy.meshes[finest], &hierarchy.topologies[finest], &problem)?;
-        let coarse = hierarchy.meshes[..finest].iter();
-        let mut dofs: Vec<Dofs> =
-            coarse.map(|mesh| Dofs::new(mesh, &problem.fixed)).collect::<Result<_, _>>()?;
-        dofs.push(system.dofs);
-        let level = |dofs| LevelUnknowns { dofs, projectors: Vec::new() };
-        let levels = dofs.into_iter().map(level).collect();
+        let reassembles = options.coarse_operator.0 == CoarseOperator::Reassembled;
+        let level = |dofs, matrix| LevelUnknowns { dofs, projectors: Vec::new(), matrix };
+        let coarse = hierarchy.meshes.iter().zip(&hierarchy.topologies).take(finest);
+        let coarse = coarse.map(|(mesh, topology)| {
+            if reassembles {
+                let system = assemble(mesh, topology, &problem)?;
+                return Ok(level(system.dofs, Some(system.matrix)));
+            }
+            Ok(level(Dofs::new(mesh, &problem.fixed)?, None))
+        });
+        let mut levels = coarse.collect::<Result<Vec<_>, SolverError>>()?;
+        levels.push(level(system.dofs, None));
         Ok::<_, SolverError>(Discrete { matrix: system.matrix, rhs: system.rhs, levels })
     })?;
     let expand = |x: &[f64]| {

@@ -4,7 +4,7 @@ use std::num::NonZeroU8;
 use std::ops::Range;
 use std::time::Instant;
 
-use octruss_mesh::{FeatureOptions, Hierarchy, Scheme};
+use octruss_mesh::{AffineCorrection, FeatureOptions, Hierarchy, InterfaceRows, Scheme};
 use octruss_meshio::{Field, Values};
 use octruss_solver::{CycleShape, Entry, Error as SolverError, Nodal, Precision, Smoother};
 use serde::{Deserialize, Serialize};
@@ -15,12 +15,13 @@ use super::fixed::Fixed;
 use super::method::Method;
 use super::multigrid::{Discrete, SolveFigures, solve_with};
 use super::on_surface::{OnSurface, Robin, Springs, VectorOnSurface};
+use super::transfers::{CoarseOperator, TransferOptions};
 use super::unfinished::keep;
 use super::{Context, elasticity, poisson};
 use crate::amount::short;
 use crate::error::Error;
 use crate::recipe::{
-    Auto, Material, Named, PerRegion, Positive, SchemeName, Sweeps, Value, VectorValue,
+    Auto, Material, Named, PerRegion, Positive, Prolongations, Sweeps, Value, VectorValue,
 };
 use crate::state::State;
 
@@ -60,8 +61,14 @@ pub struct Solve {
     pub pressure: Vec<OnSurface>,
     /// Elasticity: force per unit of area and of displacement, against it.
     pub springs: Vec<Springs>,
-    /// Which matrices prolong: `linear`, or those of the scheme that refined all levels.
-    pub prolongation: Vec<SchemeName>,
+    /// Which matrices prolong, in turn: those of a scheme or `smoothed-linear`.
+    pub prolongation: Vec<Prolongations>,
+    /// Which rows of them are made exact for linear functions.
+    pub affine_correction: Named<AffineCorrection>,
+    /// What their rows on interfaces between regions read.
+    pub interface_rows: Named<InterfaceRows>,
+    /// Where the matrices of coarse levels come from.
+    pub coarse_operator: Named<CoarseOperator>,
     /// Stop at this residual, relative to the right-hand side.
     pub tolerance: Positive,
     /// Give up after so many iterations.
@@ -132,7 +139,10 @@ impl Default for Solve {
             traction: Vec::new(),
             pressure: Vec::new(),
             springs: Vec::new(),
-            prolongation: vec![Named(Scheme::BoxSpline), Named(Scheme::Linear)],
+            prolongation: vec![Scheme::BoxSpline.into(), Scheme::Linear.into()],
+            affine_correction: Named(AffineCorrection::default()),
+            interface_rows: Named(InterfaceRows::default()),
+            coarse_operator: Named(CoarseOperator::Galerkin),
             tolerance: Positive(options.tolerance),
             max_iterations: options.max_iterations,
             method: Auto(None),
@@ -150,7 +160,7 @@ impl Solve {
     pub(super) fn run(&self, state: &mut State, context: &Context) -> Result<SolveReport, Error> {
         state.levels(&FeatureOptions::default());
         let hierarchy = state.hierarchy.as_ref().ok_or_else(|| context.order("check"))?;
-        self.check_prolongations(&state.schemes, context)?;
+        self.check_prolongations(context)?;
         let outcome = match self.problem {
             Problem::Poisson => poisson::solve(self, hierarchy, context)?,
             Problem::Elasticity => elasticity::solve(self, hierarchy, context)?,
@@ -175,26 +185,19 @@ impl Solve {
         })
     }
 
-    /// Linear interpolation fits any levels; the matrices of another scheme only
-    /// those that they made.
-    fn check_prolongations(&self, schemes: &[Scheme], context: &Context) -> Result<(), Error> {
+    fn check_prolongations(&self, context: &Context) -> Result<(), Error> {
         let list = &self.prolongation;
         if list.is_empty() || (1..list.len()).any(|index| list[..index].contains(&list[index])) {
-            let message = "`prolongation` must name at least one scheme, and none twice";
+            let message = "`prolongation` must name at least one, and none twice";
             return Err(context.request(message.into()));
         }
-        for &Named(prolongation) in list.iter().filter(|name| name.0 != Scheme::Linear) {
-            let other = schemes.iter().position(|&scheme| scheme != prolongation);
-            if let Some(refinement) = other {
-                let (level, name) = (refinement + 1, prolongation.name());
-                return Err(context.request(format!(
-                    "prolongation `{name}` needs levels that it refined, but level {level} is \
-                     refined by `{}`: set scheme = \"{name}\" or prolongation = [\"linear\"]",
-                    schemes[refinement].name()
-                )));
-            }
-        }
         Ok(())
+    }
+
+    /// How levels hang together with these prolongations.
+    pub(super) fn transfer_options(&self, prolongations: Prolongations) -> TransferOptions {
+        let (affine_correction, interface_rows) = (self.affine_correction.0, self.interface_rows.0);
+        TransferOptions { prolongations, affine_correction, interface_rows }
     }
 }
 
@@ -235,10 +238,10 @@ pub(super) fn solve_in_turn<E: Entry<Real = f64>>(
 ) -> Result<(Vec<E::Nodal>, Vec<SolveFigures>), Error> {
     let steps = options.prolongation.len() + 1;
     let (mut first, mut all) = (None, Vec::new());
-    for (index, &Named(scheme)) in options.prolongation.iter().enumerate() {
-        let what = format!("{} prolongation", scheme.name());
+    for (index, &prolongations) in options.prolongation.iter().enumerate() {
+        let what = format!("{prolongations} prolongation");
         let (solution, figures) = context.progress.step(index + 2, steps, &what, || {
-            let solved = solve_with(options, scheme, hierarchy, discrete, context);
+            let solved = solve_with(options, prolongations, hierarchy, discrete, context);
             let (x, mut figures) = solved.map_err(|source| match source {
                 SolverError::Stopped(at) => match expand(&of_rows(&at.iterate)) {
                     Ok((values, _)) => {

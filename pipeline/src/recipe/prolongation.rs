@@ -1,0 +1,138 @@
+//! What prolongs: by name, for all transfers alike or for the finest apart.
+
+use std::fmt;
+
+use octruss_mesh::{AffineCorrection, InterfaceRows, Scheme};
+use serde::de::value::MapAccessDeserializer;
+use serde::de::{Deserialize, Deserializer, Error, MapAccess, Visitor};
+
+use super::choice::{Choice, Named};
+
+/// The matrices of one transfer.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Prolongation {
+    /// Those of a scheme.
+    Scheme(Scheme),
+    /// Linear interpolation, smoothed by a step of Jacobi's method.
+    SmoothedLinear,
+}
+
+impl Prolongation {
+    /// The scheme whose weights it begins with.
+    pub fn scheme(self) -> Scheme {
+        match self {
+            Self::Scheme(scheme) => scheme,
+            Self::SmoothedLinear => Scheme::Linear,
+        }
+    }
+}
+
+impl Choice for Prolongation {
+    const WHAT: &'static str = "prolongation";
+    const ALL: &'static [Self] = &[
+        Self::Scheme(Scheme::ALL[0]),
+        Self::Scheme(Scheme::ALL[1]),
+        Self::Scheme(Scheme::ALL[2]),
+        Self::Scheme(Scheme::ALL[3]),
+        Self::Scheme(Scheme::ALL[4]),
+        Self::Scheme(Scheme::ALL[5]),
+        Self::SmoothedLinear,
+    ];
+    fn name(self) -> &'static str {
+        match self {
+            Self::Scheme(scheme) => scheme.name(),
+            Self::SmoothedLinear => "smoothed-linear",
+        }
+    }
+}
+
+impl Choice for AffineCorrection {
+    const WHAT: &'static str = "affine correction";
+    const ALL: &'static [Self] = &AffineCorrection::ALL;
+    fn name(self) -> &'static str {
+        AffineCorrection::name(self)
+    }
+}
+
+impl Choice for InterfaceRows {
+    const WHAT: &'static str = "choice of interface rows";
+    const ALL: &'static [Self] = &InterfaceRows::ALL;
+    fn name(self) -> &'static str {
+        InterfaceRows::name(self)
+    }
+}
+
+/// The matrices of all transfers: one name, or `{ finest = …, coarser = … }`.
+///
+/// ```
+/// use octruss::recipe::Prolongations;
+/// let both: Prolongations = toml::Value::Table(toml::toml! {
+///     finest = "box-spline"
+///     coarser = "linear"
+/// }).try_into().unwrap();
+/// assert_eq!(both.to_string(), "box-spline/linear");
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Prolongations {
+    /// On the transfer to the finest level.
+    pub finest: Prolongation,
+    /// On all others.
+    pub coarser: Prolongation,
+}
+
+impl From<Prolongation> for Prolongations {
+    fn from(everywhere: Prolongation) -> Self {
+        Self { finest: everywhere, coarser: everywhere }
+    }
+}
+
+impl From<Scheme> for Prolongations {
+    fn from(scheme: Scheme) -> Self {
+        Prolongation::Scheme(scheme).into()
+    }
+}
+
+impl fmt::Display for Prolongations {
+    /// The name by which reports and expectations call it.
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(self.finest.name())?;
+        if self.coarser != self.finest {
+            write!(f, "/{}", self.coarser.name())?;
+        }
+        Ok(())
+    }
+}
+
+impl<'de> Deserialize<'de> for Prolongations {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        deserializer.deserialize_any(ProlongationsVisitor)
+    }
+}
+
+#[derive(serde::Deserialize)]
+#[serde(deny_unknown_fields)]
+struct ByTransfer {
+    finest: Named<Prolongation>,
+    coarser: Named<Prolongation>,
+}
+
+struct ProlongationsVisitor;
+
+impl<'de> Visitor<'de> for ProlongationsVisitor {
+    type Value = Prolongations;
+
+    fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(
+            "the name of a prolongation, or { finest = \"box-spline\", coarser = \"linear\" }",
+        )
+    }
+
+    fn visit_str<E: Error>(self, name: &str) -> Result<Prolongations, E> {
+        name.parse().map(|Named(prolongation)| Prolongation::into(prolongation)).map_err(E::custom)
+    }
+
+    fn visit_map<A: MapAccess<'de>>(self, map: A) -> Result<Prolongations, A::Error> {
+        let given = ByTransfer::deserialize(MapAccessDeserializer::new(map))?;
+        Ok(Prolongations { finest: given.finest.0, coarser: given.coarser.0 })
+    }
+}

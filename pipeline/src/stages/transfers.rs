@@ -1,0 +1,113 @@
+//! From the names of prolongations to the transfers of a multigrid.
+
+use octruss_mesh::{
+    AffineCorrection, CorrectedRows, Hierarchy, InterfaceRows, ProlongationOptions,
+};
+use octruss_solver::{Csr, Entry, Error, Transfer, restrict_to_free};
+use serde::Serialize;
+
+use super::multigrid::LevelUnknowns;
+use crate::recipe::{Choice, Prolongation, Prolongations};
+
+/// Where coarse matrices come from.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum CoarseOperator {
+    /// Pᵀ A P.
+    Galerkin,
+    /// Assembled on the coarse meshes.
+    Reassembled,
+}
+
+impl Choice for CoarseOperator {
+    const WHAT: &'static str = "coarse operator";
+    const ALL: &'static [Self] = &[Self::Galerkin, Self::Reassembled];
+    fn name(self) -> &'static str {
+        match self {
+            Self::Galerkin => "galerkin",
+            Self::Reassembled => "reassembled",
+        }
+    }
+}
+
+/// How levels hang together.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct TransferOptions {
+    /// Whose matrices prolong.
+    pub prolongations: Prolongations,
+    /// Which rows are made exact for linear functions.
+    pub affine_correction: AffineCorrection,
+    /// What rows on interfaces read.
+    pub interface_rows: InterfaceRows,
+}
+
+/// What is known of one transfer.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct TransferFigures {
+    /// What prolongs.
+    pub prolongation: &'static str,
+    /// How far the matrix misses linear functions, in mean edge lengths.
+    pub affine_defect: f64,
+    /// The same before rows were corrected.
+    pub affine_defect_before: f64,
+    /// Rows made exact on their own support.
+    pub corrected_rows: usize,
+    /// Rows made linear, which was exact.
+    pub replaced_rows: usize,
+    /// Rows made exact with more columns.
+    pub extended_rows: usize,
+}
+
+/// The transfers of a hierarchy, **finest first**, with Galerkin products, and figures
+/// of each, **coarsest first**.
+///
+/// # Errors
+/// Whatever the solver reports.
+pub fn transfers<E: Entry<Real = f64>>(
+    options: &TransferOptions,
+    hierarchy: &Hierarchy,
+    levels: &[LevelUnknowns<E>],
+) -> Result<(Vec<Transfer<E>>, Vec<TransferFigures>), Error> {
+    let count = hierarchy.refinements.len();
+    let (mut transfers, mut figures) = (Vec::new(), Vec::new());
+    for (number, pair) in levels.windows(2).enumerate() {
+        let Prolongations { finest, coarser } = options.prolongations;
+        let prolongation = if number + 1 == count { finest } else { coarser };
+        let made = hierarchy
+            .prolongation(number, matrix_options(prolongation, options, hierarchy, number));
+        let CorrectedRows { corrected, replaced, extended, .. } = made.corrected;
+        figures.push(TransferFigures {
+            prolongation: prolongation.name(),
+            affine_defect: made.defect,
+            affine_defect_before: made.defect_before,
+            corrected_rows: corrected,
+            replaced_rows: replaced,
+            extended_rows: extended,
+        });
+        let matrix = restrict_to_free(&made.matrix, &pair[1].dofs, &pair[0].dofs)?;
+        let smooth = prolongation == Prolongation::SmoothedLinear;
+        transfers.push(Transfer { prolongation: matrix, smooth, coarse_matrix: None });
+    }
+    transfers.reverse();
+    Ok((transfers, figures))
+}
+
+/// A scheme goes by its name: with the parameters that it refined the mesh with, if
+/// it did.
+fn matrix_options(
+    prolongation: Prolongation,
+    options: &TransferOptions,
+    hierarchy: &Hierarchy,
+    transfer: usize,
+) -> ProlongationOptions {
+    let (named, made) = (prolongation.scheme(), hierarchy.refinements[transfer].scheme);
+    let scheme = if named.name() == made.name() { made } else { named };
+    let TransferOptions { affine_correction, interface_rows, .. } = *options;
+    ProlongationOptions { scheme, affine_correction, interface_rows }
+}
+
+/// Puts the matrices of coarse levels, **coarsest first**, into transfers.
+pub fn reassemble<E>(transfers: &mut [Transfer<E>], coarse: impl Iterator<Item = Csr<E>>) {
+    for (transfer, matrix) in transfers.iter_mut().rev().zip(coarse) {
+        transfer.coarse_matrix = Some(matrix);
+    }
+}

@@ -26,6 +26,7 @@
 //! A value that is no TOML is taken as a string, so names need no quotes.
 
 pub mod amount;
+pub mod comparison;
 pub mod derived_fields;
 pub mod describe;
 pub mod error;

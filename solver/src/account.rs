@@ -113,6 +113,13 @@ fn steps<E: Entry>(level: &Level<E>) -> [(&'static str, Step<E>, usize); 5] {
     ]
 }
 
+/// The bytes that a cycle moves, its input and output in double precision included.
+pub(crate) fn cycle_bytes<E: Entry>(levels: &[Level<E>], unknowns: usize) -> usize {
+    let kernels = |level: &Level<E>| steps(level).iter().map(|(.., bytes)| bytes).sum::<usize>();
+    let rounding = 2 * unknowns * (size_of::<f64>() + size_of::<E::Real>());
+    levels.iter().map(kernels).sum::<usize>() + rounding
+}
+
 fn copy(source: &[f64], target: &mut [f64]) {
     const PIECE: usize = 1 << 16;
     let pieces = target.par_chunks_mut(PIECE).zip(source.par_chunks(PIECE));

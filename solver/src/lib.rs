@@ -129,7 +129,7 @@ pub use report::{SolveReport, Unfinished};
 pub use rigid_modes::RigidMode;
 pub use run::{Progress, SolveOptions};
 pub use scalar::{Function, Scalar};
-pub use stationary::{mean_reduction, stationary_iteration};
+pub use stationary::{geometric_mean, mean_reduction, reductions, stationary_iteration};
 pub use stress::{strains, stresses, von_mises};
 pub use summary::LevelSummary;
 pub use transfer::{Transfer, restrict_to_free};

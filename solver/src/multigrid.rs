@@ -1,6 +1,6 @@
 //! Geometric multigrid from matrices alone.
 
-use crate::account::{Account, account};
+use crate::account::{Account, account, cycle_bytes};
 use crate::blocks::expand_blocks;
 use crate::coarse::CoarseSolver;
 use crate::csr::Csr;
@@ -155,6 +155,16 @@ impl<E: Entry<Real = f64>> Multigrid<E> {
 }
 
 impl<E: Entry> Multigrid<E> {
+    /// The bytes that one cycle must move, from the sizes of its arrays, the direct solve
+    /// left out; a W-cycle is counted as if it were a V-cycle.
+    pub fn cycle_bytes(&self) -> usize {
+        let unknowns = self.summaries[0].unknowns;
+        match &self.cycle {
+            AnyCycle::Single(cycle) => cycle_bytes(&cycle.levels, unknowns),
+            AnyCycle::Double(cycle) => cycle_bytes(&cycle.levels, unknowns),
+        }
+    }
+
     /// What each level holds, finest first.
     pub fn levels(&self) -> &[LevelSummary] {
         &self.summaries

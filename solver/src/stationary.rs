@@ -65,24 +65,42 @@ pub fn mean_reduction<E: Entry<Real = f64>>(
     preconditioner: &mut impl Preconditioner<E::Nodal>,
     cycles: usize,
 ) -> Result<f64, Error> {
-    check_size("columns of the matrix", matrix.columns(), matrix.rows())?;
     const MEASURED: usize = 8;
+    let factors = reductions(matrix, preconditioner, cycles)?;
+    Ok(geometric_mean(&factors[cycles.saturating_sub(MEASURED)..]))
+}
+
+/// The factor by which each of some cycles reduces the energy norm √(e · A e) of the
+/// error, for A e = 0 from noise.
+///
+/// # Errors
+/// [`Error::Size`] if the matrix is not square.
+pub fn reductions<E: Entry<Real = f64>>(
+    matrix: &Csr<E>,
+    preconditioner: &mut impl Preconditioner<E::Nodal>,
+    cycles: usize,
+) -> Result<Vec<f64>, Error> {
+    check_size("columns of the matrix", matrix.columns(), matrix.rows())?;
     let [mut error, mut image, mut correction] =
         std::array::from_fn(|_| vec![E::Nodal::default(); matrix.rows()]);
     let start = noise(matrix.rows() * E::Nodal::SIZE, 3);
     E::Nodal::flat_mut(&mut error).copy_from_slice(&start);
     let energy =
         |error: &[E::Nodal], image: &mut [E::Nodal]| product_dot(matrix, error, image).sqrt();
-    let mut logarithms = Vec::with_capacity(cycles);
+    let mut factors = Vec::with_capacity(cycles);
     let mut before = energy(&error, &mut image);
     for _ in 0..cycles {
         preconditioner.apply(&image, &mut correction);
         // Scaled to energy 1, so that no number of cycles underflows.
         error.iter_mut().zip(&correction).for_each(|(e, c)| *e = e.minus(*c).scaled(1.0 / before));
-        let after = energy(&error, &mut image);
-        logarithms.push(after.ln());
-        before = after;
+        before = energy(&error, &mut image);
+        factors.push(before);
     }
-    let last = &logarithms[cycles.saturating_sub(MEASURED)..];
-    Ok((last.iter().sum::<f64>() / last.len().max(1) as f64).exp())
+    Ok(factors)
+}
+
+/// 1 for no factors.
+pub fn geometric_mean(factors: &[f64]) -> f64 {
+    let logarithms: f64 = factors.iter().map(|factor| factor.ln()).sum();
+    (logarithms / factors.len().max(1) as f64).exp()
 }

@@ -5,6 +5,7 @@
 
 mod basis;
 mod card;
+mod compare;
 mod comparison;
 mod convert;
 mod info;
@@ -41,6 +42,7 @@ struct Cli {
 #[derive(Subcommand)]
 enum Command {
     Run(run::Run),
+    Compare(compare::Compare),
     Info(info::Info),
     Convert(convert::Convert),
     Refine(refine::Refine),
@@ -70,6 +72,7 @@ pub fn main() -> ExitCode {
     let cli = Cli::parse();
     let outcome = match &cli.command {
         Command::Run(options) => options.run(),
+        Command::Compare(options) => options.run().map(|()| ExitCode::SUCCESS),
         Command::Info(options) => options.run().map(|()| ExitCode::SUCCESS),
         Command::Convert(options) => options.run().map(|()| ExitCode::SUCCESS),
         Command::Refine(options) => options.run().map(|()| ExitCode::SUCCESS),

@@ -42,6 +42,7 @@ pub use sweeps::Sweeps;
 pub use value::{Degrees, Ends, Fraction, Positive, Value, VectorValue};
 pub use value_or::{ValueOr, ValueOrVector};
 
+use crate::comparison::Compare;
 use crate::stages::Stage;
 
 /// A named list of stages with expected numbers.
@@ -55,6 +56,8 @@ pub struct Recipe {
     pub source: Source,
     /// What to do, in order.
     pub stages: Vec<Stage>,
+    /// What `octruss compare` varies; [`run`](crate::run()) does not look at it.
+    pub compare: Option<Compare>,
     /// What the report must say, by name.
     pub expectations: Vec<Expectation>,
 }

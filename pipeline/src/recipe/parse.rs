@@ -15,6 +15,7 @@ use super::labels::labels_of_trees;
 use super::override_::{self, Tree};
 use super::source::Source;
 use super::{Recipe, suggestion};
+use crate::comparison::Compare;
 use crate::stages::Stage;
 
 /// All of a config but its stages.
@@ -24,6 +25,8 @@ struct Header {
     name: Spanned<String>,
     #[serde(rename = "stage", default)]
     _stages: IgnoredAny,
+    #[serde(default)]
+    compare: Option<Compare>,
     #[serde(default)]
     expect: BTreeMap<Spanned<String>, Bounds>,
 }
@@ -46,7 +49,8 @@ pub fn parse(path: &Path, text: String, overrides: &[String]) -> Result<Recipe, 
     });
     let expectations = expectations.collect();
     let (name, folder) = (header.name.into_inner(), path.parent().unwrap_or(Path::new("")).into());
-    Ok(Recipe { name, folder, stages, expectations, source })
+    let compare = header.compare;
+    Ok(Recipe { name, folder, stages, compare, expectations, source })
 }
 
 fn read_header(root: &Tree, source: &Source) -> Result<Header, ConfigError> {

@@ -63,26 +63,23 @@ fn discretise(
     coarse_operator: CoarseOperator,
 ) -> Result<Assembled, SolverError> {
     let finest = hierarchy.meshes.len() - 1;
-    let level = |held: &Constraints, matrix| LevelUnknowns {
+    let level = |held: &Constraints| LevelUnknowns {
         dofs: held.dofs().clone(),
         projectors: held.projectors(),
-        matrix,
     };
     let coarse = hierarchy.meshes.iter().zip(&hierarchy.topologies).take(finest);
-    let coarse = coarse.map(|(mesh, topology)| match coarse_operator {
-        CoarseOperator::Galerkin => {
-            Ok(level(&Constraints::new(mesh, topology, &problem.supports)?, None))
+    let (mut levels, mut coarse_matrices) = (Vec::new(), Vec::new());
+    for (mesh, topology) in coarse {
+        levels.push(level(&Constraints::new(mesh, topology, &problem.supports)?));
+        if coarse_operator == CoarseOperator::Reassembled {
+            coarse_matrices.push(assemble_elasticity(mesh, topology, problem)?.matrix);
         }
-        CoarseOperator::Reassembled => {
-            let system = assemble_elasticity(mesh, topology, problem)?;
-            Ok(level(&system.constraints, Some(system.matrix)))
-        }
-    });
-    let mut levels = coarse.collect::<Result<Vec<_>, SolverError>>()?;
+    }
     let (mesh, topology) = (&hierarchy.meshes[finest], &hierarchy.topologies[finest]);
     let VectorSystem { matrix, rhs, constraints } = assemble_elasticity(mesh, topology, problem)?;
-    levels.push(level(&constraints, None));
-    Ok(Assembled { discrete: Discrete { matrix, rhs, levels }, constraints })
+    levels.push(level(&constraints));
+    let discrete = Discrete { matrix, rhs, levels, coarse_matrices };
+    Ok(Assembled { discrete, constraints })
 }
 
 /// The problem that a stage describes, on this mesh.

@@ -51,7 +51,7 @@ pub struct MethodFigures {
 
 impl Solve {
     /// The cycle that the keys ask for.
-    pub(super) fn multigrid_options(&self) -> MultigridOptions {
+    pub(crate) fn multigrid_options(&self) -> MultigridOptions {
         let auto = MultigridOptions::default();
         let smoother = match (self.smoother.0.unwrap_or(auto.smoother), self.smoothing_degree) {
             (Smoother::Chebyshev { lower, .. }, Some(degree)) => {

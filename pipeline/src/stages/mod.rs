@@ -6,19 +6,19 @@ mod body;
 mod carried_fields;
 mod check;
 mod corner_fields;
-mod elasticity;
+pub(crate) mod elasticity;
 mod fixed;
 mod groups;
 mod import;
 mod jumps;
 mod method;
-mod multigrid;
+pub(crate) mod multigrid;
 mod on_surface;
-mod poisson;
+pub(crate) mod poisson;
 mod solve;
 mod subdivide;
 mod subdivide_report;
-mod transfers;
+pub(crate) mod transfers;
 mod unfinished;
 mod write;
 
@@ -123,7 +123,7 @@ impl Context<'_> {
     }
 
     /// An error of the solver, with what it was doing.
-    fn solver(&self, what: &str, source: octruss_solver::Error) -> Error {
+    pub(crate) fn solver(&self, what: &str, source: octruss_solver::Error) -> Error {
         Error::Solve { stage: self.progress.label.into(), what: what.into(), source }
     }
 

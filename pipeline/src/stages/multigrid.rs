@@ -11,7 +11,7 @@ use super::Context;
 use super::account::{AccountFigures, REPEATS};
 use super::method::MethodFigures;
 use super::solve::Solve;
-use super::transfers::{CoarseOperator, TransferFigures, reassemble, transfers};
+use super::transfers::{TransferFigures, reassemble, transfers};
 use crate::progress::News;
 use crate::recipe::{Choice, Prolongations};
 
@@ -87,6 +87,8 @@ pub struct Discrete<E: Entry> {
     pub rhs: Vec<E::Nodal>,
     /// The unknowns of each level, coarsest first.
     pub levels: Vec<LevelUnknowns<E>>,
+    /// The matrices assembled on the coarse levels, coarsest first, where asked for.
+    pub coarse_matrices: Vec<Csr<E>>,
 }
 
 /// The unknowns of one level.
@@ -96,9 +98,12 @@ pub struct LevelUnknowns<E> {
     /// Those that are held in some directions, with the projector onto the free
     /// ones.
     pub projectors: Vec<(u32, E)>,
-    /// The matrix assembled on this level, where a coarse one is asked for.
-    pub matrix: Option<Csr<E>>,
 }
+
+/// Makes values at all vertices, prescribed ones included, of the unknowns of the
+/// finest level.
+pub type Expand<E> =
+    Box<dyn Fn(&[<E as Entry>::Nodal]) -> Result<Vec<<E as Entry>::Nodal>, Error> + Send + Sync>;
 
 impl<E: Entry> AsRef<Self> for Discrete<E> {
     fn as_ref(&self) -> &Self {
@@ -110,6 +115,19 @@ impl<E: Entry> Discrete<E> {
     /// The unknowns of the finest level.
     pub fn finest(&self) -> &Dofs {
         &self.levels.last().expect("there is at least one level").dofs
+    }
+
+    /// The projectors of each level, finest first.
+    pub fn projectors(&self) -> Vec<Vec<(u32, E)>> {
+        self.levels.iter().rev().map(|level| level.projectors.clone()).collect()
+    }
+
+    /// Leaves of values at the unknowns of the finest level what is in free directions.
+    pub fn project(&self, x: &mut [E::Nodal]) {
+        for (row, projector) in self.levels.iter().next_back().iter().flat_map(|l| &l.projectors) {
+            let free = &mut x[*row as usize];
+            *free = projector.add_product(*free, E::Nodal::default());
+        }
     }
 
     /// How many numbers are unknown.
@@ -131,13 +149,11 @@ pub fn solve_with<E: Entry<Real = f64>>(
     context: &Context,
 ) -> Result<(Vec<E::Nodal>, SolveFigures), Error> {
     let start = Instant::now();
-    let Discrete { matrix, rhs, levels } = discrete;
+    let Discrete { matrix, rhs, levels, coarse_matrices } = discrete;
     let transfer_options = options.transfer_options(prolongations);
     let (mut transfers, transfer_figures) = transfers(&transfer_options, hierarchy, levels)?;
-    if options.coarse_operator.0 == CoarseOperator::Reassembled {
-        reassemble(&mut transfers, levels.iter().filter_map(|level| level.matrix.clone()));
-    }
-    let projectors = levels.iter().rev().map(|level| level.projectors.clone()).collect();
+    reassemble(&mut transfers, coarse_matrices);
+    let projectors = discrete.projectors();
     let cycle = options.multigrid_options();
     let mut multigrid = Multigrid::with_transfers(matrix, transfers, projectors, &cycle)?;
     let setup_seconds = start.elapsed().as_secs_f64();

@@ -25,19 +25,23 @@ pub(super) fn solve(
     let (discrete, assembly_seconds) = assembled(options, context, || {
         let finest = hierarchy.meshes.len() - 1;
         let system = assemble(&hierarchy.meshes[finest], &hierarchy.topologies[finest], &problem)?;
-        let reassembles = options.coarse_operator.0 == CoarseOperator::Reassembled;
-        let level = |dofs, matrix| LevelUnknowns { dofs, projectors: Vec::new(), matrix };
         let coarse = hierarchy.meshes.iter().zip(&hierarchy.topologies).take(finest);
-        let coarse = coarse.map(|(mesh, topology)| {
-            if reassembles {
-                let system = assemble(mesh, topology, &problem)?;
-                return Ok(level(system.dofs, Some(system.matrix)));
+        let (mut dofs, mut coarse_matrices) = (Vec::new(), Vec::new());
+        for (mesh, topology) in coarse {
+            dofs.push(Dofs::new(mesh, &problem.fixed)?);
+            if options.coarse_operator.0 == CoarseOperator::Reassembled {
+                coarse_matrices.push(assemble(mesh, topology, &problem)?.matrix);
             }
-            Ok(level(Dofs::new(mesh, &problem.fixed)?, None))
-        });
-        let mut levels = coarse.collect::<Result<Vec<_>, SolverError>>()?;
-        levels.push(level(system.dofs, None));
-        Ok::<_, SolverError>(Discrete { matrix: system.matrix, rhs: system.rhs, levels })
+        }
+        dofs.push(system.dofs);
+        let level = |dofs| LevelUnknowns { dofs, projectors: Vec::new() };
+        let levels = dofs.into_iter().map(level).collect();
+        Ok::<_, SolverError>(Discrete {
+            matrix: system.matrix,
+            rhs: system.rhs,
+            levels,
+            coarse_matrices,
+        })
     })?;
     let expand = |x: &[f64]| {
         let mut solution = discrete.finest().expand(x)?;

@@ -194,8 +194,13 @@ impl Solve {
         Ok(())
     }
 
+    /// Whether coarse matrices are assembled on the coarse meshes.
+    pub(crate) fn reassembles(&self) -> bool {
+        self.coarse_operator.0 == CoarseOperator::Reassembled
+    }
+
     /// How levels hang together with these prolongations.
-    pub(super) fn transfer_options(&self, prolongations: Prolongations) -> TransferOptions {
+    pub(crate) fn transfer_options(&self, prolongations: Prolongations) -> TransferOptions {
         let (affine_correction, interface_rows) = (self.affine_correction.0, self.interface_rows.0);
         TransferOptions { prolongations, affine_correction, interface_rows }
     }

@@ -105,9 +105,10 @@ fn matrix_options(
     ProlongationOptions { scheme, affine_correction, interface_rows }
 }
 
-/// Puts the matrices of coarse levels, **coarsest first**, into transfers.
-pub fn reassemble<E>(transfers: &mut [Transfer<E>], coarse: impl Iterator<Item = Csr<E>>) {
+/// Puts the matrices of coarse levels, **coarsest first**, into transfers; without
+/// any, Galerkin products stay.
+pub fn reassemble<E: Clone>(transfers: &mut [Transfer<E>], coarse: &[Csr<E>]) {
     for (transfer, matrix) in transfers.iter_mut().rev().zip(coarse) {
-        transfer.coarse_matrix = Some(matrix);
+        transfer.coarse_matrix = Some(matrix.clone());
     }
 }

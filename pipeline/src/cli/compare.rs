@@ -1,0 +1,55 @@
+//! `octruss compare`: prolongations, cycles and geometries side by side.
+
+use std::path::{Path, PathBuf};
+
+use octruss::{Recipe, comparison};
+
+use super::progress::Display;
+use super::{Threads, interrupt};
+
+/// Compare prolongations, cycles and geometries on the problem of a config
+#[derive(clap::Args)]
+#[command(after_help = "Examples:\n  \
+    octruss compare configs/prolongation-study-torus.toml\n  \
+    octruss compare part.toml --set 'compare.prolongation=[\"box-spline\", \"linear\"]'\n\n\
+    A table [compare] of the config lists what is varied: geometry, levels, prolongation,\n\
+    affine-correction, interface-rows, coarse-operator, sweeps, smoother, repeats. Every list\n\
+    goes with every other; without the table the prolongations of the first stage `solve` are\n\
+    compared on both geometries and all levels. Tables, CSV, JSON and a picture go to\n\
+    out/NAME as compare.txt, .csv, .json and .svg.")]
+pub struct Compare {
+    /// Config file
+    #[arg(value_name = "CONFIG")]
+    config: PathBuf,
+    /// Where output goes [default: out/NAME]
+    #[arg(long, value_name = "DIR")]
+    out: Option<PathBuf>,
+    /// Replace one value of the config; may be repeated
+    #[arg(long, value_name = "KEY=VALUE")]
+    set: Vec<String>,
+    #[command(flatten)]
+    threads: Threads,
+    /// No progress on stderr; notes and errors stay
+    #[arg(long)]
+    quiet: bool,
+}
+
+impl Compare {
+    pub fn run(&self) -> anyhow::Result<()> {
+        let recipe = Recipe::load(&self.config, &self.set).map_err(octruss::Error::from)?;
+        let folder = self.out.clone().unwrap_or_else(|| Path::new("out").join(&recipe.name));
+        octruss::output::check_folder(&folder)?;
+        let stop = interrupt::flag()?;
+        let display = Display::new(self.quiet);
+        let listener = |stage: usize, stages: usize, label: &str, news| {
+            display.show(stage, stages, label, news);
+        };
+        let compared =
+            self.threads.install(|| comparison::compare(&recipe, &listener, &stop))??;
+        let files = compared.write(&folder)?;
+        super::print(&compared.text())?;
+        let files: Vec<String> = files.iter().map(|path| path.display().to_string()).collect();
+        super::say(&format!("written: {}", files.join(", ")));
+        Ok(())
+    }
+}

@@ -1,0 +1,91 @@
+//! Chang's own test (thesis, section 4.9): the solution of a coarse level is carried up
+//! by a scheme and by linear interpolation, and both are compared with the solution
+//! of the finer level.
+
+use octruss_mesh::Hierarchy;
+use octruss_solver::{
+    Entry, Error, Multigrid, Nodal, SolveOptions, conjugate_gradients, dot, kernels, norm,
+};
+use serde::Serialize;
+
+use super::plan::Geometry;
+use crate::recipe::{Choice, Prolongation};
+use crate::stages::Solve;
+use crate::stages::multigrid::{Discrete, Expand};
+use crate::stages::transfers::transfers;
+
+/// How near a carried solution comes to the one computed.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Carried {
+    /// `flat` or `subdivided`.
+    pub geometry: &'static str,
+    /// The level it was carried to.
+    pub level: usize,
+    /// What carried it.
+    pub prolongation: &'static str,
+    /// ‖carried − computed‖ / ‖computed‖ over the free unknowns.
+    pub difference: f64,
+    /// The same in the energy norm of the finer level.
+    pub energy_difference: f64,
+}
+
+/// A problem on a level, and how its solution becomes values at vertices.
+pub(super) type Problem<E> = (Discrete<E>, Expand<E>);
+
+/// Carries the solution of the level below the finest up by each prolongation. What is
+/// prescribed on the finer level does not count.
+///
+/// # Errors
+/// Whatever the solver reports.
+pub(super) fn carry<E: Entry<Real = f64>>(
+    options: &Solve,
+    prolongations: &[Prolongation],
+    (hierarchy, geometry): (&Hierarchy, Geometry),
+    (fine, _): &Problem<E>,
+    (coarse_hierarchy, (coarse, expand)): (&Hierarchy, &Problem<E>),
+) -> Result<Vec<Carried>, Error> {
+    let transfer = coarse_hierarchy.refinements.len();
+    let computed = solution(options, hierarchy, fine)?;
+    let coarse_values = expand(&solution(options, coarse_hierarchy, coarse)?)?;
+    let energy = |v: &[E::Nodal]| {
+        let mut image = v.to_vec();
+        kernels::product(&fine.matrix, v, &mut image);
+        dot(v, &image).sqrt()
+    };
+    let carried = |prolongation: &Prolongation| {
+        let made = hierarchy.prolongation(transfer, prolongation.scheme());
+        let values = made.matrix.apply_field(Nodal::flat(&coarse_values), E::SIZE);
+        let free = fine.finest().free().iter().zip(&computed);
+        let mut difference: Vec<E::Nodal> = free
+            .map(|(&vertex, x)| {
+                let value = |k| values[E::SIZE * vertex as usize + k];
+                let carried: E::Nodal = Nodal::from_fn(value);
+                carried.minus(*x)
+            })
+            .collect();
+        fine.project(&mut difference);
+        Carried {
+            geometry: geometry.name(),
+            level: transfer + 1,
+            prolongation: prolongation.name(),
+            difference: norm(&difference) / norm(&computed),
+            energy_difference: energy(&difference) / energy(&computed),
+        }
+    };
+    Ok(prolongations.iter().map(carried).collect())
+}
+
+/// The solution of a level, to ten digits.
+fn solution<E: Entry<Real = f64>>(
+    options: &Solve,
+    hierarchy: &Hierarchy,
+    discrete: &Discrete<E>,
+) -> Result<Vec<E::Nodal>, Error> {
+    let which = options.transfer_options(options.prolongation[0]);
+    let (transfers, _) = transfers(&which, hierarchy, &discrete.levels)?;
+    let (matrix, cycle) = (&discrete.matrix, options.multigrid_options());
+    let projectors = discrete.projectors();
+    let mut multigrid = Multigrid::with_transfers(matrix, transfers, projectors, &cycle)?;
+    let goal = SolveOptions { tolerance: 1e-10, max_iterations: 500, ..SolveOptions::default() };
+    conjugate_gradients(matrix, &discrete.rhs, &mut multigrid, &goal).map(|(x, _)| x)
+}

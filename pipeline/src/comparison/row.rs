@@ -1,0 +1,228 @@
+//! One variant on one level: what it needs.
+
+use std::time::Instant;
+
+use octruss_mesh::Hierarchy;
+use octruss_solver::{
+    Csr, Entry, Error, Multigrid, MultigridOptions, Nodal, SolveOptions, SolveReport,
+    conjugate_gradients, geometric_mean, noise, reductions,
+};
+use serde::Serialize;
+
+use super::plan::Geometry;
+use crate::recipe::Choice;
+use crate::stages::Solve;
+use crate::stages::multigrid::Discrete;
+use crate::stages::transfers::{TransferFigures, reassemble, transfers};
+
+/// A variant on a level. Iterations are those of conjugate gradients for noise on the
+/// right; reductions are of the energy norm of the error by the cycle alone.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Row {
+    /// `poisson`, `elasticity` or `biharmonic`.
+    pub problem: &'static str,
+    /// The mesh file's name.
+    pub body: String,
+    /// `flat` or `subdivided`.
+    pub geometry: &'static str,
+    /// What prolongs.
+    pub prolongation: String,
+    /// `galerkin` or `reassembled`.
+    pub coarse_operator: &'static str,
+    /// `auto`, `on` or `off`.
+    pub affine_correction: &'static str,
+    /// The greatest of all transfers, after correction, in mean edge lengths.
+    pub affine_defect: f64,
+    /// The same before rows were corrected.
+    pub affine_defect_before: f64,
+    /// `strata` or `linear`.
+    pub interface_rows: &'static str,
+    /// Such as `V(2,2)`.
+    pub cycle: String,
+    /// Such as `chebyshev-3`.
+    pub smoother: String,
+    /// The finest level; the input is 0.
+    pub level: usize,
+    /// Free unknowns there.
+    pub unknowns: usize,
+    /// Iterations to the tolerance of the stage; none if it was not reached.
+    pub iterations: Option<usize>,
+    /// Mean factor of cycles 13 to 20.
+    pub mean_reduction: f64,
+    /// Mean factor of cycles 33 to 40.
+    pub asymptotic_reduction: f64,
+    /// Nonzeros of all levels over those of the finest.
+    pub operator_complexity: f64,
+    /// Bytes that an iteration must move, for a decimal digit of the residual.
+    pub bytes_per_digit: Option<f64>,
+    /// Work of iterations for a decimal digit, in products with the finest matrix.
+    pub work_per_digit: Option<f64>,
+    /// Prolongations, coarse matrices, factors: the median of the repeats.
+    pub setup_seconds: f64,
+    /// Iterating: the median of the repeats.
+    pub solve_seconds: f64,
+    /// The shortest and the longest set-up.
+    pub setup_spread: [f64; 2],
+    /// The shortest and the longest solve.
+    pub solve_spread: [f64; 2],
+}
+
+impl Row {
+    /// The outcome in a few words.
+    pub fn result(&self) -> String {
+        match self.iterations {
+            Some(iterations) => format!("{iterations} iterations"),
+            None => "not converged".into(),
+        }
+    }
+}
+
+/// Cycles, and which of them count.
+const CYCLES: usize = 40;
+const MEAN: std::ops::Range<usize> = 12..20;
+const ASYMPTOTIC: std::ops::Range<usize> = 32..40;
+
+/// What all variants on a level have in common.
+pub(super) struct Level<'a, E: Entry> {
+    pub problem: &'static str,
+    pub body: &'a str,
+    pub geometry: Geometry,
+    pub hierarchy: &'a Hierarchy,
+    pub discrete: &'a Discrete<E>,
+    /// The time to assemble the coarse matrices.
+    pub reassembly_seconds: f64,
+    pub repeats: usize,
+}
+
+impl<E: Entry<Real = f64>> Level<'_, E> {
+    /// Sets up and solves one variant.
+    ///
+    /// # Errors
+    /// Whatever the solver reports, but that it did not converge.
+    pub fn row(&self, options: &Solve) -> Result<Row, Error> {
+        let cycle = options.multigrid_options();
+        let (mut setups, mut solves) = (Vec::new(), Vec::new());
+        let (mut multigrid, figures, setup) = self.set_up(options, &cycle)?;
+        setups.push(setup);
+        let rhs = self.right_hand_side();
+        let mut report = self.solve(&rhs, &mut multigrid, options)?;
+        for _ in 1..self.repeats {
+            setups.push(self.set_up(options, &cycle)?.2);
+            solves.extend(report.as_ref().map(|report| report.solve_seconds));
+            report = self.solve(&rhs, &mut multigrid, options)?;
+        }
+        solves.extend(report.as_ref().map(|report| report.solve_seconds));
+        let factors = reductions(&self.discrete.matrix, &mut multigrid, CYCLES)?;
+        let per_digit = |cost: f64| {
+            let report = report.as_ref()?;
+            Some(cost * report.iterations as f64 / -report.relative_residual.log10())
+        };
+        let [(setup_seconds, setup_spread), (solve_seconds, solve_spread)] =
+            [setups, solves].map(median_and_spread);
+        let worst =
+            |defect: fn(&TransferFigures) -> f64| figures.iter().map(defect).fold(0.0, f64::max);
+        Ok(Row {
+            problem: self.problem,
+            body: self.body.into(),
+            geometry: self.geometry.name(),
+            prolongation: options.prolongation[0].to_string(),
+            coarse_operator: options.coarse_operator.0.name(),
+            affine_correction: options.affine_correction.0.name(),
+            affine_defect: worst(|transfer| transfer.affine_defect),
+            affine_defect_before: worst(|transfer| transfer.affine_defect_before),
+            interface_rows: options.interface_rows.0.name(),
+            cycle: format!(
+                "{}({},{})",
+                cycle.shape.name().to_uppercase(),
+                cycle.before,
+                cycle.after
+            ),
+            smoother: smoother(&cycle),
+            level: self.hierarchy.refinements.len(),
+            unknowns: self.discrete.unknowns(),
+            iterations: report.as_ref().map(|report| report.iterations),
+            mean_reduction: geometric_mean(&factors[MEAN]),
+            asymptotic_reduction: geometric_mean(&factors[ASYMPTOTIC]),
+            operator_complexity: multigrid.operator_complexity(),
+            bytes_per_digit: per_digit(
+                (multigrid.cycle_bytes() + iteration_bytes(&self.discrete.matrix)) as f64,
+            ),
+            work_per_digit: per_digit(multigrid.work_units() + 1.0),
+            setup_seconds,
+            solve_seconds,
+            setup_spread,
+            solve_spread,
+        })
+    }
+
+    fn set_up(
+        &self,
+        options: &Solve,
+        cycle: &MultigridOptions,
+    ) -> Result<(Multigrid<E>, Vec<TransferFigures>, f64), Error> {
+        let Discrete { matrix, levels, coarse_matrices, .. } = self.discrete;
+        let start = Instant::now();
+        let which = options.transfer_options(options.prolongation[0]);
+        let (mut transfers, figures) = transfers(&which, self.hierarchy, levels)?;
+        let mut seconds = 0.0;
+        if options.reassembles() {
+            reassemble(&mut transfers, coarse_matrices);
+            seconds += self.reassembly_seconds;
+        }
+        let projectors = self.discrete.projectors();
+        let multigrid = Multigrid::with_transfers(matrix, transfers, projectors, cycle)?;
+        Ok((multigrid, figures, seconds + start.elapsed().as_secs_f64()))
+    }
+
+    /// Noise in the free directions.
+    fn right_hand_side(&self) -> Vec<E::Nodal> {
+        let numbers = noise(self.discrete.unknowns(), 17);
+        let rows = numbers.chunks_exact(E::SIZE);
+        let mut rhs: Vec<E::Nodal> = rows.map(|row| Nodal::from_fn(|k| row[k])).collect();
+        self.discrete.project(&mut rhs);
+        rhs
+    }
+
+    /// None if the tolerance was not reached.
+    fn solve(
+        &self,
+        rhs: &[E::Nodal],
+        multigrid: &mut Multigrid<E>,
+        options: &Solve,
+    ) -> Result<Option<SolveReport>, Error> {
+        let stop = SolveOptions {
+            tolerance: options.tolerance.0,
+            max_iterations: options.max_iterations,
+            ..SolveOptions::default()
+        };
+        match conjugate_gradients(&self.discrete.matrix, rhs, multigrid, &stop) {
+            Ok((_, report)) => Ok(Some(report)),
+            Err(Error::NotConverged(_) | Error::NotPositiveDefinite { .. }) => Ok(None),
+            Err(error) => Err(error),
+        }
+    }
+}
+
+/// The bytes of an iteration of conjugate gradients beside the cycle: its product, and
+/// thirteen passes over vectors (product 2, scalar product 2, direction 3, advance 6).
+fn iteration_bytes<E: Entry>(matrix: &Csr<E>) -> usize {
+    matrix.bytes() + 13 * matrix.rows() * size_of::<E::Nodal>()
+}
+
+fn smoother(cycle: &MultigridOptions) -> String {
+    match cycle.smoother {
+        octruss_solver::Smoother::Chebyshev { degree, .. } => {
+            format!("{}-{degree}", cycle.smoother.name())
+        }
+        other => other.name().into(),
+    }
+}
+
+/// The median, and the least and greatest; all 0 of nothing.
+fn median_and_spread(mut seconds: Vec<f64>) -> (f64, [f64; 2]) {
+    seconds.sort_by(f64::total_cmp);
+    match (seconds.first(), seconds.last()) {
+        (Some(&least), Some(&greatest)) => (seconds[seconds.len() / 2], [least, greatest]),
+        _ => (0.0, [0.0; 2]),
+    }
+}

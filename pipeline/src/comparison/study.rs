@@ -1,0 +1,217 @@
+//! The study: every geometry, on every level every variant.
+
+use std::path::Path;
+use std::sync::atomic::AtomicBool;
+use std::time::Instant;
+
+use octruss_mesh::{Hierarchy, Scheme};
+use octruss_solver::{Entry, Error as SolverError};
+
+use super::Comparison;
+use super::carried::{self, Carried};
+use super::plan::{Compare, Geometry};
+use super::row::{Level, Row};
+use super::verdict::verdict;
+use crate::error::Error;
+use crate::progress::{Listener, News, Progress};
+use crate::recipe::{Choice, Named, Prolongation, Recipe};
+use crate::run::run_stages;
+use crate::stages::solve::Problem;
+use crate::stages::{CoarseOperator, Context, Solve, Stage, Subdivide, elasticity, poisson};
+
+/// Compares what a config's table `[compare]` lists, on the problem of its first stage
+/// `solve` and the levels of its first stage `subdivide`; stages between and after
+/// these are not run. Nothing is written.
+///
+/// # Errors
+/// A config without these stages, or with levels that they do not make; whatever stops
+/// a stage; [`Error::Stopped`] once `stop` is true.
+pub fn compare(
+    recipe: &Recipe,
+    listener: &Listener,
+    stop: &AtomicBool,
+) -> Result<Comparison, Error> {
+    let start = Instant::now();
+    let study = Study::new(recipe, listener, stop)?;
+    let (mut rows, mut carried) = (Vec::new(), Vec::new());
+    for geometry in study.plan.geometries() {
+        let mut hierarchy = study.hierarchy(geometry)?;
+        for level in &study.levels {
+            while hierarchy.refinements.len() > *level {
+                hierarchy.meshes.pop();
+                hierarchy.topologies.pop();
+                hierarchy.refinements.pop();
+            }
+            let (more_rows, more_carried) = match study.solve.problem {
+                Problem::Poisson => study.level(&hierarchy, geometry, poisson::discretise)?,
+                Problem::Elasticity => study.level(&hierarchy, geometry, elasticity::discretise)?,
+            };
+            rows.splice(0..0, more_rows);
+            carried.splice(0..0, more_carried);
+        }
+    }
+    let order = |geometry: &str| Geometry::ALL.iter().position(|g| g.name() == geometry);
+    rows.sort_by_key(|row: &Row| (order(row.geometry), row.level));
+    carried.sort_by_key(|row: &Carried| (order(row.geometry), row.level));
+    Ok(Comparison {
+        octruss: env!("CARGO_PKG_VERSION"),
+        config: recipe.name.clone(),
+        threads: rayon::current_num_threads(),
+        seconds: start.elapsed().as_secs_f64(),
+        verdict: verdict(&rows),
+        rows,
+        carried,
+    })
+}
+
+struct Study<'a> {
+    recipe: &'a Recipe,
+    plan: Compare,
+    before: &'a [Stage],
+    subdivide: &'a Subdivide,
+    solve: &'a Solve,
+    /// The body's name.
+    body: String,
+    /// Finest first.
+    levels: Vec<usize>,
+    listener: &'a Listener<'a>,
+    stop: &'a AtomicBool,
+}
+
+impl<'a> Study<'a> {
+    fn new(
+        recipe: &'a Recipe,
+        listener: &'a Listener,
+        stop: &'a AtomicBool,
+    ) -> Result<Self, Error> {
+        let refuse = |message: String| Error::Compare { config: recipe.name.clone(), message };
+        let stages = &recipe.stages;
+        let found = stages.iter().enumerate().find_map(|(at, stage)| match stage {
+            Stage::Subdivide(subdivide) => Some((at, subdivide)),
+            _ => None,
+        });
+        let (at, subdivide) =
+            found.ok_or_else(|| refuse("there is no stage `subdivide`".into()))?;
+        let solve = stages[at..].iter().find_map(|stage| match stage {
+            Stage::Solve(solve) => Some(&**solve),
+            _ => None,
+        });
+        let solve =
+            solve.ok_or_else(|| refuse("there is no stage `solve` after `subdivide`".into()))?;
+        let body = stages[..at].iter().find_map(|stage| match stage {
+            Stage::Import(import) => import.path.file_stem(),
+            _ => None,
+        });
+        let plan = recipe.compare.clone().unwrap_or_default();
+        let levels = plan.levels(subdivide.levels).map_err(refuse)?;
+        Ok(Self {
+            recipe,
+            plan,
+            before: &stages[..at],
+            subdivide,
+            solve,
+            body: body.unwrap_or_default().to_string_lossy().into(),
+            levels,
+            listener,
+            stop,
+        })
+    }
+
+    /// The levels up to the finest that is asked for.
+    fn hierarchy(&self, geometry: Geometry) -> Result<Hierarchy, Error> {
+        let scheme = match geometry {
+            Geometry::Flat => Named(Scheme::Linear),
+            Geometry::Subdivided => self.subdivide.scheme,
+        };
+        let levels = self.levels.first().map_or(0, |&finest| finest as u8);
+        let refined = Subdivide { scheme, levels, ..self.subdivide.clone() };
+        let mut stages = self.before.to_vec();
+        stages.push(Stage::Subdivide(refined));
+        let folders = [&*self.recipe.folder, Path::new("")];
+        let state = run_stages(&stages, Some(&self.recipe.source), folders, self.listener)?;
+        Ok(state.hierarchy.expect("a stage `subdivide` makes levels"))
+    }
+
+    /// All variants on the finest level of a hierarchy, and Chang's test.
+    fn level<E: Entry<Real = f64>>(
+        &self,
+        hierarchy: &Hierarchy,
+        geometry: Geometry,
+        discretise: impl Fn(&Solve, &Hierarchy, &Context) -> Result<carried::Problem<E>, Error>,
+    ) -> Result<(Vec<Row>, Vec<Carried>), Error> {
+        let number = hierarchy.refinements.len();
+        let label = format!("{} level {number}", geometry.name());
+        let progress = Progress { stage: 1, stages: 1, label: &label, listener: self.listener };
+        let source = Some(&self.recipe.source);
+        let folders = [&*self.recipe.folder, Path::new("")];
+        let [input_folder, output_folder] = folders;
+        let context = Context { input_folder, output_folder, source, progress, stop: self.stop };
+        context.progress.tell(News::Started);
+        let start = Instant::now();
+        let variants = self.plan.variants(self.solve);
+        let mut problem = discretise(self.solve, hierarchy, &context)?;
+        let mut reassembly_seconds = 0.0;
+        if variants.iter().any(Solve::reassembles) {
+            let start = Instant::now();
+            let coarse_operator = Named(CoarseOperator::Reassembled);
+            let solve = Solve { coarse_operator, ..self.solve.clone() };
+            let with_coarse = discretise(&solve, hierarchy, &context)?;
+            reassembly_seconds = start.elapsed().as_secs_f64();
+            problem.0.coarse_matrices = with_coarse.0.coarse_matrices;
+        }
+        let level = Level {
+            problem: self.solve.problem.name(),
+            body: &self.body,
+            geometry,
+            hierarchy,
+            discrete: &problem.0,
+            reassembly_seconds,
+            repeats: self.plan.repeats(),
+        };
+        let mut rows = Vec::new();
+        for (index, variant) in variants.iter().enumerate() {
+            if context.asked_to_stop() {
+                return Err(Error::Stopped { stage: label });
+            }
+            let what = format!("{} prolongation", variant.prolongation[0]);
+            rows.push(context.progress.step(index + 1, variants.len(), &what, || {
+                let row = level.row(variant).map_err(|source| context.solver(&what, source))?;
+                let result = row.result();
+                Ok::<_, Error>((row, result))
+            })?);
+        }
+        let carried = self.carried(hierarchy, geometry, &problem, (&discretise, &context))?;
+        let summary = format!("{} variants", rows.len());
+        let seconds = start.elapsed().as_secs_f64();
+        context.progress.tell(News::Finished { summary, seconds });
+        Ok((rows, carried))
+    }
+
+    fn carried<E: Entry<Real = f64>>(
+        &self,
+        hierarchy: &Hierarchy,
+        geometry: Geometry,
+        problem: &carried::Problem<E>,
+        (discretise, context): (
+            &impl Fn(&Solve, &Hierarchy, &Context) -> Result<carried::Problem<E>, Error>,
+            &Context,
+        ),
+    ) -> Result<Vec<Carried>, Error> {
+        let below = hierarchy.refinements.len() - 1;
+        let coarse = Hierarchy {
+            meshes: hierarchy.meshes[..=below].to_vec(),
+            topologies: hierarchy.topologies[..=below].to_vec(),
+            refinements: hierarchy.refinements[..below].to_vec(),
+        };
+        let coarse_problem = discretise(self.solve, &coarse, context)?;
+        let own = Prolongation::Scheme(self.subdivide.scheme.0);
+        let mut prolongations = vec![Prolongation::Scheme(Scheme::Linear)];
+        if own != prolongations[0] {
+            prolongations.push(own);
+        }
+        let levels = (hierarchy, geometry);
+        let below = (&coarse, &coarse_problem);
+        carried::carry(self.solve, &prolongations, levels, problem, below)
+            .map_err(|source: SolverError| context.solver("a solution to carry up", source))
+    }
+}

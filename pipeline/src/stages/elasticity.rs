@@ -2,15 +2,15 @@
 
 use octruss_mesh::{Hierarchy, RawMesh};
 use octruss_solver::{
-    ByRegion, Constraints, Elasticity, Error as SolverError, Held, Material, Stiffness, Support,
-    VectorSystem, assemble_elasticity, vector,
+    ByRegion, Constraints, Elasticity, Error as SolverError, Held, LevelUnknowns, Material,
+    Stiffness, Support, VectorSystem, assemble_elasticity, vector,
 };
 
 use super::Context;
 use super::body::Body;
 use super::fixed::Fixed;
 use super::groups::{by_region, on_surfaces};
-use super::multigrid::{Discrete, LevelUnknowns, blank_outside, range};
+use super::multigrid::{Discrete, blank_outside, range};
 use super::solve::{Outcome, Solve, assembled, solve_in_turn};
 use crate::error::Error;
 use crate::recipe::{self, PerRegion, ValueOrVector, VectorValue};
@@ -27,7 +27,7 @@ pub(super) fn solve(
 ) -> Result<Outcome, Error> {
     let problem = problem(options, hierarchy.finest().raw(), context)?;
     let (Assembled { discrete, constraints }, assembly_seconds) =
-        assembled(options, context, || discretise(hierarchy, &problem))?;
+        assembled(options, context, || discretise(options, hierarchy, &problem))?;
     let expand = |x: &[[f64; 3]]| {
         let mut displacement = constraints.expand(x)?;
         let length = |u: &[f64; 3]| u.iter().map(|u| u * u).sum::<f64>().sqrt();
@@ -56,22 +56,26 @@ impl AsRef<Discrete<[[f64; 3]; 3]>> for Assembled {
 }
 
 /// The system on the finest level and the unknowns of all.
-fn discretise(hierarchy: &Hierarchy, problem: &Elasticity) -> Result<Assembled, SolverError> {
+fn discretise(
+    options: &Solve,
+    hierarchy: &Hierarchy,
+    problem: &Elasticity,
+) -> Result<Assembled, SolverError> {
     let finest = hierarchy.meshes.len() - 1;
     let coarse = hierarchy.meshes.iter().zip(&hierarchy.topologies).take(finest);
-    let level = |held: &Constraints| LevelUnknowns {
-        dofs: held.dofs().clone(),
-        projectors: held.projectors(),
-    };
     let mut levels: Vec<LevelUnknowns<_>> = coarse
         .map(|(mesh, topology)| {
-            Constraints::new(mesh, topology, &problem.supports).map(|held| level(&held))
+            Constraints::new(mesh, topology, &problem.supports).map(|held| (&held).into())
         })
         .collect::<Result<_, _>>()?;
-    let (mesh, topology) = (&hierarchy.meshes[finest], &hierarchy.topologies[finest]);
-    let VectorSystem { matrix, rhs, constraints } = assemble_elasticity(mesh, topology, problem)?;
-    levels.push(level(&constraints));
-    Ok(Assembled { discrete: Discrete { matrix, rhs, levels }, constraints })
+    let system_of = |level: usize| {
+        assemble_elasticity(&hierarchy.meshes[level], &hierarchy.topologies[level], problem)
+    };
+    let VectorSystem { matrix, rhs, constraints } = system_of(finest)?;
+    levels.push((&constraints).into());
+    let coarsest = options
+        .coarsest_solution(&levels, || system_of(0).map(|system| (system.matrix, system.rhs)))?;
+    Ok(Assembled { discrete: Discrete { matrix, rhs, levels, coarsest }, constraints })
 }
 
 /// The problem that a stage describes, on this mesh.

@@ -5,7 +5,9 @@ use std::ops::ControlFlow;
 use std::time::Instant;
 
 use octruss_mesh::{Hierarchy, Scheme, SubdivisionMatrix, TetMesh, linear_matrix};
-use octruss_solver::{Csr, Dofs, Entry, Error, Multigrid, SolveOptions, restrict_to_free};
+use octruss_solver::{
+    Csr, Dofs, Entry, Error, LevelUnknowns, Multigrid, Nodal, SolveOptions, restrict_to_free,
+};
 use serde::Serialize;
 
 use super::Context;
@@ -39,11 +41,15 @@ pub struct SolveFigures {
     /// For each transfer, the coarsest first, how far it misses linear functions,
     /// in mean edge lengths.
     pub affine_defects: Vec<f64>,
+    /// ‖b − A x‖ / ‖b‖ after the pass of full multigrid, before the first iteration.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub full_multigrid_residual: Option<f64>,
     /// Iterations, one cycle each.
     pub iterations: usize,
     /// ‖b − A x‖ / ‖b‖ at the end.
     pub relative_residual: f64,
-    /// Relative residuals from 1 on, one more than iterations.
+    /// Relative residuals from that of the start (1 of zero) on, one more than
+    /// iterations.
     pub residual_history: Vec<f64>,
     /// The factor by which an iteration reduces the residual, geometric mean.
     pub mean_reduction: f64,
@@ -56,7 +62,7 @@ pub struct SolveFigures {
     pub maximum: f64,
     /// Prolongations, coarse matrices, factors.
     pub setup_seconds: f64,
-    /// Iterating.
+    /// Iterating, after the pass of full multigrid if there was one.
     pub solve_seconds: f64,
     /// Bytes and bandwidth of each kernel of a cycle, if asked for.
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -78,15 +84,9 @@ pub struct Discrete<E: Entry> {
     pub rhs: Vec<E::Nodal>,
     /// The unknowns of each level, coarsest first.
     pub levels: Vec<LevelUnknowns<E>>,
-}
-
-/// The unknowns of one level.
-pub struct LevelUnknowns<E> {
-    /// Which vertices they belong to.
-    pub dofs: Dofs,
-    /// Those that are held in some directions, with the projector onto the free
-    /// ones.
-    pub projectors: Vec<(u32, E)>,
+    /// The solution of the coarsest level's own problem, where full multigrid needs
+    /// one.
+    pub coarsest: Option<Vec<E::Nodal>>,
 }
 
 impl<E: Entry> AsRef<Self> for Discrete<E> {
@@ -121,12 +121,15 @@ pub fn solve_with<E: Entry<Real = f64>>(
 ) -> Result<(Vec<E::Nodal>, SolveFigures), Error> {
     let start = Instant::now();
     let matrices = subdivision_matrices(hierarchy, scheme);
-    let Discrete { matrix, rhs, levels } = discrete;
+    let Discrete { matrix, rhs, levels, .. } = discrete;
     let prolongations = prolongations(&matrices, levels)?;
     let projectors = levels.iter().rev().map(|level| level.projectors.clone()).collect();
     let cycle = options.multigrid_options();
     let mut multigrid = Multigrid::constrained(matrix, prolongations, projectors, &cycle)?;
     let setup_seconds = start.elapsed().as_secs_f64();
+    let start = Instant::now();
+    let full_pass = options.full_pass(hierarchy, discrete, &mut multigrid)?;
+    let pass_seconds = start.elapsed().as_secs_f64();
     let tell = |iteration: usize, residual: f64| {
         context
             .progress
@@ -134,14 +137,18 @@ pub fn solve_with<E: Entry<Real = f64>>(
         if context.asked_to_stop() { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
     };
     let stop = SolveOptions {
+        start: full_pass.as_deref().map(Nodal::flat),
         tolerance: options.tolerance.0,
         max_iterations: options.max_iterations,
         progress: Some(&tell),
     };
     let (x, report) = options.iterate((matrix, rhs), &mut multigrid, &stop)?;
     let account = options.account.then(|| multigrid.account(REPEATS).into());
-    let digits = -report.relative_residual.log10();
     let cycles = report.iterations as f64;
+    // Without an iteration nothing was reduced, and nothing done.
+    let first_residual = report.residual_history[0];
+    let reduced = if cycles > 0.0 { report.relative_residual / first_residual } else { 1.0 };
+    let work = cycles * (multigrid.work_units() + 1.0);
     let defect = |(transfer, matrix): (usize, &Cow<SubdivisionMatrix>)| {
         hierarchy.affine_defect(transfer, matrix)
     };
@@ -156,15 +163,16 @@ pub fn solve_with<E: Entry<Real = f64>>(
         operator_complexity: multigrid.operator_complexity(),
         grid_complexity: multigrid.grid_complexity(),
         affine_defects: matrices.iter().enumerate().map(defect).collect(),
+        full_multigrid_residual: full_pass.is_some().then_some(first_residual),
         iterations: report.iterations,
         relative_residual: report.relative_residual,
         residual_history: report.residual_history,
-        mean_reduction: report.relative_residual.powf(1.0 / cycles),
-        work_per_digit: cycles * (multigrid.work_units() + 1.0) / digits,
+        mean_reduction: reduced.powf(1.0 / cycles.max(1.0)),
+        work_per_digit: if cycles > 0.0 { -work / reduced.log10() } else { 0.0 },
         minimum: 0.0,
         maximum: 0.0,
         setup_seconds,
-        solve_seconds: report.solve_seconds,
+        solve_seconds: pass_seconds + report.solve_seconds,
         account,
     };
     Ok((x, figures))
@@ -198,8 +206,9 @@ fn subdivision_matrices(hierarchy: &Hierarchy, scheme: Scheme) -> Vec<Cow<'_, Su
     transfers.map(|(refinement, topology)| matrix((&refinement.matrix, topology))).collect()
 }
 
-/// Prolongations between free unknowns, finest first.
-fn prolongations<E>(
+/// What matrices are between free unknowns; they come coarsest first, these finest
+/// first.
+pub fn prolongations<E: Entry>(
     matrices: &[Cow<SubdivisionMatrix>],
     levels: &[LevelUnknowns<E>],
 ) -> Result<Vec<Csr<f64>>, Error> {

@@ -2,11 +2,13 @@
 
 use octruss_mesh::{Hierarchy, RawMesh};
 use octruss_meshio::Field;
-use octruss_solver::{Dofs, Error as SolverError, Poisson, Robin, Scalar, assemble};
+use octruss_solver::{
+    Dofs, Error as SolverError, LevelUnknowns, Poisson, Robin, Scalar, System, assemble,
+};
 
 use super::Context;
 use super::groups::{by_region, on_surfaces};
-use super::multigrid::{Discrete, LevelUnknowns, blank_outside, range};
+use super::multigrid::{Discrete, blank_outside, range};
 use super::solve::{Outcome, Solve, assembled, solve_in_turn};
 use crate::error::Error;
 use crate::recipe::{Value, ValueOrVector};
@@ -23,14 +25,19 @@ pub(super) fn solve(
     let problem = problem(options, hierarchy.finest().raw(), context)?;
     let (discrete, assembly_seconds) = assembled(options, context, || {
         let finest = hierarchy.meshes.len() - 1;
-        let system = assemble(&hierarchy.meshes[finest], &hierarchy.topologies[finest], &problem)?;
+        let system_of = |level: usize| {
+            assemble(&hierarchy.meshes[level], &hierarchy.topologies[level], &problem)
+        };
+        let System { matrix, rhs, dofs: own } = system_of(finest)?;
         let coarse = hierarchy.meshes[..finest].iter();
         let mut dofs: Vec<Dofs> =
             coarse.map(|mesh| Dofs::new(mesh, &problem.fixed)).collect::<Result<_, _>>()?;
-        dofs.push(system.dofs);
-        let level = |dofs| LevelUnknowns { dofs, projectors: Vec::new() };
-        let levels = dofs.into_iter().map(level).collect();
-        Ok::<_, SolverError>(Discrete { matrix: system.matrix, rhs: system.rhs, levels })
+        dofs.push(own);
+        let levels: Vec<LevelUnknowns<f64>> = dofs.into_iter().map(LevelUnknowns::from).collect();
+        let coarsest = options.coarsest_solution(&levels, || {
+            system_of(0).map(|system| (system.matrix, system.rhs))
+        })?;
+        Ok::<_, SolverError>(Discrete { matrix, rhs, levels, coarsest })
     })?;
     let expand = |x: &[f64]| {
         let mut solution = discrete.finest().expand(x)?;

@@ -5,12 +5,13 @@ use std::f64::consts::PI;
 use std::path::Path;
 
 use octruss_mesh::{
-    CheckOptions, FeatureOptions, Hierarchy, Scheme, SubdivisionMatrix, TetMesh, check, shapes,
-    subdivision_matrix,
+    CheckOptions, FeatureOptions, Hierarchy, Scheme, SubdivisionMatrix, TetMesh, check,
+    quadratic_matrix, shapes, subdivision_matrix,
 };
 use octruss_solver::{
-    Multigrid, MultigridOptions, Poisson, Scalar, SolveOptions, System, assemble,
-    conjugate_gradients, h1_seminorm_error, l2_error, mean_reduction, noise, restrict_to_free,
+    Csr, LevelUnknowns, Multigrid, MultigridOptions, Poisson, Scalar, SolveOptions, System,
+    assemble, conjugate_gradients, h1_seminorm_error, kernels, l2_error, mean_reduction, noise,
+    restrict_to_free, smooth_lift,
 };
 
 /// A solution with its gradient and the source −Δu that belongs to it.
@@ -70,23 +71,29 @@ impl Study {
         Self { hierarchy, systems }
     }
 
+    /// The matrices of a scheme up to a level, coarsest first.
+    fn matrices(&self, level: usize, scheme: Scheme) -> Vec<SubdivisionMatrix> {
+        let levels = self.hierarchy.meshes.iter().zip(&self.hierarchy.topologies).take(level);
+        levels.map(|(mesh, topology)| subdivision_matrix(mesh, topology, scheme)).collect()
+    }
+
+    /// Those of quadratic interpolation; the first is linear.
+    fn quadratic_matrices(&self, level: usize) -> Vec<SubdivisionMatrix> {
+        let topologies = &self.hierarchy.topologies;
+        let quadratic = topologies[..level].windows(2).map(|p| quadratic_matrix(&p[0], &p[1]));
+        self.matrices(1, Scheme::Linear).into_iter().chain(quadratic).collect()
+    }
+
+    /// What matrices are between free unknowns, finest first.
+    fn restricted(&self, matrices: &[SubdivisionMatrix]) -> Vec<Csr<f64>> {
+        let pairs = matrices.iter().zip(self.systems.windows(2)).rev();
+        pairs.map(|(m, pair)| restrict_to_free(m, &pair[1].dofs, &pair[0].dofs).unwrap()).collect()
+    }
+
     fn multigrid(&self, level: usize, prolongation: Scheme) -> Multigrid {
-        let matrix = |transfer: usize| -> SubdivisionMatrix {
-            subdivision_matrix(
-                &self.hierarchy.meshes[transfer],
-                &self.hierarchy.topologies[transfer],
-                prolongation,
-            )
-        };
-        let prolongations = (0..level)
-            .rev()
-            .map(|transfer| {
-                let [coarse, fine] = [transfer, transfer + 1].map(|l| &self.systems[l].dofs);
-                restrict_to_free(&matrix(transfer), fine, coarse).unwrap()
-            })
-            .collect();
-        Multigrid::new(&self.systems[level].matrix, prolongations, &MultigridOptions::default())
-            .unwrap()
+        let prolongations = self.restricted(&self.matrices(level, prolongation));
+        let options = MultigridOptions::default();
+        Multigrid::new(&self.systems[level].matrix, prolongations, &options).unwrap()
     }
 
     /// Iterations to 1e-8 for the problem itself and for noise as right-hand side.
@@ -102,15 +109,54 @@ impl Study {
         })
     }
 
+    /// The discrete solution of one level.
+    fn solution(&self, level: usize, tolerance: f64) -> Vec<f64> {
+        let System { matrix, rhs, .. } = &self.systems[level];
+        let mut multigrid = self.multigrid(level, Scheme::Linear);
+        let options = SolveOptions { tolerance, ..SolveOptions::default() };
+        conjugate_gradients(matrix, rhs, &mut multigrid, &options).unwrap().0
+    }
+
     /// L2 and H1 errors on one level.
     fn errors(&self, level: usize, exact: &Manufactured) -> [f64; 2] {
         let (system, mesh) = (&self.systems[level], &self.hierarchy.meshes[level]);
-        let mut multigrid = self.multigrid(level, Scheme::Linear);
-        let options = SolveOptions { tolerance: 1e-10, ..SolveOptions::default() };
-        let (x, _) =
-            conjugate_gradients(&system.matrix, &system.rhs, &mut multigrid, &options).unwrap();
-        let u = system.expand(&x).unwrap();
+        let u = system.expand(&self.solution(level, 1e-10)).unwrap();
         [l2_error(mesh, &u, exact.solution), h1_seminorm_error(mesh, &u, exact.gradient)]
+    }
+
+    /// One pass of full multigrid with box-spline cycles and these transfers.
+    fn full_multigrid(&self, level: usize, transfers: &[SubdivisionMatrix]) -> Vec<f64> {
+        let System { matrix, rhs, .. } = &self.systems[level];
+        let systems = &self.systems[..=level];
+        let levels: Vec<LevelUnknowns<f64>> =
+            systems.iter().map(|system| system.dofs.clone().into()).collect();
+        let lift = smooth_lift(&self.solution(0, 1e-12), transfers, &levels).unwrap();
+        let mut rest = rhs.clone();
+        kernels::residual(matrix, &lift, rhs, &mut rest);
+        let mut multigrid = self.multigrid(level, Scheme::BoxSpline);
+        let x = multigrid.full_multigrid(&rest, &self.restricted(transfers), 1).unwrap();
+        x.iter().zip(&lift).map(|(x, lift)| x + lift).collect()
+    }
+
+    /// Asserts that one pass of full multigrid has at most `bound` times the L² error
+    /// of the discrete solution on each level.
+    fn assert_full_multigrid(
+        &self,
+        exact: &Manufactured,
+        matrices: impl Fn(usize) -> Vec<SubdivisionMatrix>,
+        bound: f64,
+    ) {
+        let error = |level: usize, x: &[f64]| {
+            let u = self.systems[level].expand(x).unwrap();
+            l2_error(&self.hierarchy.meshes[level], &u, exact.solution)
+        };
+        let ratio = |level: usize| {
+            let pass = self.full_multigrid(level, &matrices(level));
+            error(level, &pass) / error(level, &self.solution(level, 1e-10))
+        };
+        let ratios: Vec<f64> = (1..self.systems.len()).map(ratio).collect();
+        println!("{ratios:?}");
+        assert!(ratios.iter().all(|ratio| *ratio <= bound), "{ratios:?}");
     }
 
     /// Asserts the rates over the last two refinements.
@@ -195,4 +241,20 @@ fn box_spline_prolongation_reduces_more_a_cycle_and_costs_more() {
     let [linear, box_spline] = [Scheme::Linear, Scheme::BoxSpline]
         .map(|scheme| cube.multigrid(3, scheme).operator_complexity());
     assert!(linear < 1.15 && box_spline > 1.3, "{linear} {box_spline}");
+}
+
+#[test]
+fn one_pass_of_full_multigrid_reaches_the_discretisation_with_prescribed_values() {
+    let cube = Study::new(shapes::kuhn_cube(2), Scheme::Linear, 4, &WAVE);
+    for scheme in [Scheme::Linear, Scheme::BoxSpline] {
+        cube.assert_full_multigrid(&WAVE, |level| cube.matrices(level, scheme), 1.5);
+    }
+    cube.assert_full_multigrid(&WAVE, |level| cube.quadratic_matrices(level), 1.5);
+}
+
+#[test]
+fn one_pass_of_full_multigrid_reaches_the_discretisation_on_a_curved_body() {
+    let ball = ball(3);
+    ball.assert_full_multigrid(&WAVE, |level| ball.matrices(level, Scheme::BoxSpline), 1.5);
+    ball.assert_full_multigrid(&WAVE, |level| ball.quadratic_matrices(level), 1.5);
 }

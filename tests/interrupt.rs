@@ -73,7 +73,7 @@ fn a_solve_stops_between_iterations_and_keeps_its_iterate() {
     assert!(residual < 1.0);
     let says = format!(
         "error: stage `solve`, linear prolongation: stopped on request after {iterations} \
-         iterations at a relative residual of {residual:.3e}; the iterate is in "
+         iterations at a relative residual of {residual:.3e}; the last residuals: "
     );
     assert!(rest.contains(&says) && rest.contains("unfinished.vtu"), "{rest}");
     let names: Vec<_> = report["stages"]

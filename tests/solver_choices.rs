@@ -63,7 +63,7 @@ fn all_combinations_agree_with_the_exact_solution_and_are_reported() {
     let folder = tempfile::tempdir().unwrap();
     poisson(folder.path());
     for smoother in SMOOTHERS {
-        for cycle in ["v", "w"] {
+        for cycle in ["v", "w", "full"] {
             for method in ["cg", "cycle"] {
                 for precision in ["single", "double"] {
                     let keys = [
@@ -80,6 +80,10 @@ fn all_combinations_agree_with_the_exact_solution_and_are_reported() {
                     assert_eq!(solve["sweeps"], json!([1, 1]));
                     let degree = if smoother == "chebyshev" { json!(3) } else { Value::Null };
                     assert_eq!(solve["smoothing_degree"], degree, "{keys:?}");
+                    let full = cycle == "full";
+                    let transfer = if full { json!("quadratic") } else { Value::Null };
+                    assert_eq!(solve["full_transfer"], transfer, "{keys:?}");
+                    assert_eq!(solve["full_multigrid_residual"].is_f64(), full, "{keys:?}");
                 }
             }
         }
@@ -97,6 +101,58 @@ fn nobody_has_to_choose() {
         let told = ["method", "cycle", "smoother", "precision"].map(|key| solve[key].clone());
         assert_eq!(told, ["cg", "v", "chebyshev", "single"]);
         assert!(solve["account"].is_null());
+    }
+}
+
+#[test]
+fn full_multigrid_carries_prescribed_linear_functions_exactly() {
+    let folder = tempfile::tempdir().unwrap();
+    poisson(folder.path());
+    for transfer in ["auto", "scheme", "linear", "quadratic"] {
+        for precision in ["single", "double"] {
+            let keys = [("cycle", "full"), ("full-transfer", transfer), ("precision", precision)];
+            let (solve, error) = solve(folder.path(), &keys, &[1.0]);
+            let after = solve["full_multigrid_residual"].as_f64().unwrap();
+            assert!(error < 1e-9 && after < 1e-12, "{keys:?}: {error} {after}");
+            assert_eq!(
+                (&solve["iterations"], &solve["residual_history"][0]),
+                (&json!(0), &json!(after))
+            );
+            assert_eq!(
+                (&solve["mean_reduction"], &solve["work_per_digit"]),
+                (&json!(1.0), &json!(0.0))
+            );
+            let told = if transfer == "auto" { "quadratic" } else { transfer };
+            assert_eq!(solve["full_transfer"], told);
+        }
+    }
+}
+
+#[test]
+fn full_multigrid_starts_near_a_solution_that_is_not_linear() {
+    let folder = tempfile::tempdir().unwrap();
+    for (problem, value, components) in [
+        ("", "\"exp(x)*sin(2*y) + z^2\"", 1),
+        (
+            "problem = \"elasticity\"\nmaterial = { young = 2, poisson = 0.3 }",
+            "[\"exp(x)*sin(2*y)\", \"z^2\", \"x*y\"]",
+            3,
+        ),
+    ] {
+        write_config(folder.path(), problem, value);
+        let fields = [("v", "cg"), ("full", "cg"), ("full", "cycle")].map(|(cycle, method)| {
+            let keys = [("cycle", cycle), ("method", method)];
+            let (solve, _) = solve(folder.path(), &keys, &vec![1.0; components]);
+            let first = solve["residual_history"][0].as_f64().unwrap();
+            assert!(if cycle == "full" { first < 0.1 } else { first == 1.0 }, "{keys:?}: {first}");
+            let written = octruss_meshio::read(&folder.path().join("out/c/solution.vtu")).unwrap();
+            let Values::Float(values) = written.point_fields[0].values.clone() else { panic!() };
+            values
+        });
+        for other in &fields[1..] {
+            let differences = fields[0].iter().zip(other).map(|(u, v)| (u - v).abs());
+            assert!(differences.fold(0.0, f64::max) < 1e-8);
+        }
     }
 }
 
@@ -125,7 +181,7 @@ fn elastic_bodies_take_the_same_keys() {
     let value = format!("[\"{FIXED}\", \"2*({FIXED})\", \"-({FIXED})\"]");
     write_config(folder.path(), problem, &value);
     for smoother in SMOOTHERS {
-        for (cycle, method) in [("v", "cg"), ("w", "cycle")] {
+        for (cycle, method) in [("v", "cg"), ("w", "cycle"), ("full", "cg"), ("full", "cycle")] {
             let keys = [("smoother", smoother), ("cycle", cycle), ("method", method)];
             let (solve, error) = solve(folder.path(), &keys, &[1.0, 2.0, -1.0]);
             assert!(error < 1e-6, "{keys:?}: {error}");
@@ -158,6 +214,16 @@ fn wrong_choices_are_refused_where_they_stand() {
             "smoother = \"l1-jacobi\"\nsmoothing-degree = 2",
             "14:1: stage `solve`: `smoothing-degree` belongs to smoother = \"chebyshev\", but \
              this stage smooths by \"l1-jacobi\"",
+        ),
+        (
+            "full-transfer = \"scheme\"",
+            "13:1: stage `solve`: `full-transfer` belongs to cycle = \"full\", but the cycle of \
+             this stage is \"v\"",
+        ),
+        (
+            "cycle = \"full\"\nfull-transfer = \"cubic\"",
+            "14:17: `full-transfer` in stage `solve`: unknown transfer `cubic` (valid: auto, \
+             scheme, linear, quadratic)",
         ),
         ("sweeps = [0, 0]", "13:10: `sweeps` in stage `solve`: expected at least one sweep"),
         ("sweeps = 300", "13:10: `sweeps` in stage `solve`: found integer `300`, expected a whole"),

@@ -35,7 +35,7 @@ pub enum Error {
         source: SubdivideError,
     },
     /// The problem could not be solved.
-    #[error("stage `{stage}`, {what}: {source}{}", last_residuals(source))]
+    #[error("stage `{stage}`, {what}: {source}")]
     Solve {
         /// The stage's label.
         stage: String,
@@ -44,7 +44,7 @@ pub enum Error {
         /// What stopped it.
         source: octruss_solver::Error,
     },
-    /// A solve was asked to stop; its best iterate is kept.
+    /// A solve did not reach its goal; its best iterate is kept.
     #[error(transparent)]
     Unfinished(Box<Unfinished>),
     /// The run was asked to stop between two stages.
@@ -95,17 +95,4 @@ impl Error {
     pub fn exit_code(&self) -> u8 {
         if matches!(self, Self::Config(_)) { 2 } else { 1 }
     }
-}
-
-/// The end of the residual history, where the solver has one: whether the
-/// iteration was slow, stood still or blew up.
-fn last_residuals(error: &octruss_solver::Error) -> String {
-    use octruss_solver::Error::{NotConverged, NotPositiveDefinite, Stopped};
-    let (NotConverged(at) | Stopped(at) | NotPositiveDefinite { at, .. }) = error else {
-        return String::new();
-    };
-    let history = &at.report.residual_history;
-    let last = &history[history.len().saturating_sub(5)..];
-    let last: Vec<String> = last.iter().map(|residual| format!("{residual:.1e}")).collect();
-    format!("; the last residuals: {}", last.join(", "))
 }

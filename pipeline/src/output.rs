@@ -25,7 +25,7 @@ pub fn check_folder(folder: &Path) -> Result<(), Error> {
     Ok(())
 }
 
-/// The best iterate of a solve that was asked to stop.
+/// The best iterate of a solve that did not reach its goal.
 pub const UNFINISHED: &str = "unfinished.vtu";
 
 /// Removes `report.json` and `unfinished.vtu` of an earlier run, so that none is

@@ -25,33 +25,45 @@ pub struct Report {
     pub peak_memory_bytes: Option<u64>,
     /// In the order in which they ran.
     pub stages: Vec<StageReport>,
-    /// What was expected, with what was measured; empty of a run that was stopped.
+    /// What was expected, with what was measured; empty of a run that did not finish.
     pub expectations: Vec<Outcome>,
-    /// The solve that was asked to stop, if one was; `stages` are those before it.
+    /// The solve that did not reach its goal, if one did not; `stages` are those
+    /// before it.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub unfinished: Option<Unfinished>,
 }
 
-/// A solve that stopped between two iterations because it was asked to.
+/// A solve that stopped before its goal: asked to, out of iterations, or because the
+/// system is not positive definite.
 #[derive(Debug, Clone, PartialEq, Serialize, thiserror::Error)]
 #[error(
-    "stage `{stage}`, {what}: stopped on request after {iterations} iterations at a relative \
-     residual of {relative_residual:.3e}; the iterate is in {}",
-    .file.display()
+    "stage `{stage}`, {what}: {reason}; the last residuals: {}; the iterate with the smallest \
+     is in {}",
+    last_of(residual_history), file.display()
 )]
 pub struct Unfinished {
     /// The stage's label.
     pub stage: String,
     /// Which of its solves.
     pub what: String,
+    /// Why it stopped.
+    pub reason: String,
     /// Iterations done.
     pub iterations: usize,
     /// ‖b − A x‖ / ‖b‖ of the iterate that was kept.
     pub relative_residual: f64,
-    /// Relative residuals from 1 on, one more than iterations.
+    /// Relative residuals from that of the start (1 of zero) on, one more than
+    /// iterations.
     pub residual_history: Vec<f64>,
     /// The finest mesh with the iterate.
     pub file: PathBuf,
+}
+
+/// The end of a residual history: whether the iteration was slow, stood still or blew
+/// up.
+fn last_of(history: &[f64]) -> String {
+    let last = &history[history.len().saturating_sub(5)..];
+    last.iter().map(|residual| format!("{residual:.1e}")).collect::<Vec<_>>().join(", ")
 }
 
 /// What one stage did.

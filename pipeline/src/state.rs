@@ -33,6 +33,8 @@ pub struct State {
     pub cell_fields: Vec<Field>,
     /// Fields that may jump between regions, if there are any.
     pub sided_fields: SidedFields,
+    /// The files that stages `write` wrote.
+    pub written: Vec<PathBuf>,
 }
 
 /// Fields with a tuple for each side of a vertex of the finest mesh.

@@ -10,7 +10,7 @@ use crate::preconditioner::Preconditioner;
 use crate::report::SolveReport;
 use crate::run::{Run, SolveOptions};
 
-/// Solves A x = b from zero for a symmetric positive definite A.
+/// Solves A x = b for a symmetric positive definite A.
 ///
 /// The residual of the recurrence drifts from the true one. When it is small
 /// enough the true one is computed; if that is not, the method restarts, as long
@@ -22,8 +22,9 @@ use crate::run::{Run, SolveOptions};
 ///
 /// # Errors
 /// [`Error::NotPositiveDefinite`], [`Error::NotConverged`] and
-/// [`Error::Stopped`] carry history and last iterate; [`Error::NotFinite`],
-/// [`Error::Size`] and [`Error::Option`] come before the first iteration.
+/// [`Error::Stopped`] carry history and the iterate with the smallest residual;
+/// [`Error::NotFinite`], [`Error::Size`] and [`Error::Option`] come before the first
+/// iteration.
 pub fn conjugate_gradients<E: Entry<Real = f64>>(
     matrix: &Csr<E>,
     rhs: &[E::Nodal],
@@ -31,11 +32,11 @@ pub fn conjugate_gradients<E: Entry<Real = f64>>(
     options: &SolveOptions<'_>,
 ) -> Result<(Vec<E::Nodal>, SolveReport), Error> {
     let mut run = Run::new(matrix, rhs, preconditioner.setup_seconds(), options)?;
-    let mut x = vec![E::Nodal::default(); rhs.len()];
-    if run.is_trivial() {
+    // In the energy norm every iterate is nearer to the solution than zero.
+    let (mut x, mut r) = run.first_iterate(false);
+    if run.is_small(norm(&r)) {
         return Ok(run.finish(x));
     }
-    let mut r = rhs.to_vec();
     let [mut z, mut p, mut q] = std::array::from_fn(|_| vec![E::Nodal::default(); rhs.len()]);
     let mut previous_rz = f64::INFINITY; // p = z in the first iteration
     let mut last_true_norm = f64::INFINITY;
@@ -63,7 +64,10 @@ pub fn conjugate_gradients<E: Entry<Real = f64>>(
         let directions = (Nodal::flat(&p), Nodal::flat(&q));
         let (x_flat, r_flat) = (Nodal::flat_mut(&mut x), Nodal::flat_mut(&mut r));
         let residual_norm = advance(rz / pq, directions, x_flat, r_flat).sqrt();
-        let wish = run.record(residual_norm);
+        let wish = run.record(residual_norm, || {
+            let step_back = |(x, p): (&E::Nodal, &E::Nodal)| x.add_scaled(-rz / pq, *p);
+            x.iter().zip(&p).map(step_back).collect()
+        });
         previous_rz = rz;
         if run.is_small(residual_norm) {
             residual(matrix, &x, rhs, &mut r);
@@ -127,6 +131,77 @@ mod tests {
         )
         .unwrap();
         assert_eq!((x, report.iterations, report.relative_residual), (vec![0.0; 5], 0, 0.0));
+    }
+
+    #[test]
+    fn a_start_counts_by_its_true_residual_and_a_poor_one_costs_nothing() {
+        let (a, rhs) = (second_difference(50), noise(50, 3));
+        let solve = |start: Option<&[f64]>, tolerance: f64| {
+            let options = SolveOptions { start, tolerance, ..Default::default() };
+            conjugate_gradients(&a, &rhs, &mut Identity, &options).unwrap()
+        };
+        let (solution, from_zero) = solve(None, 1e-12);
+        assert_eq!(from_zero.residual_history[0], 1.0);
+
+        // The residual of 0.999 x is a thousandth of the right-hand side.
+        let near: Vec<f64> = solution.iter().map(|x| 0.999 * x).collect();
+        let (x, report) = solve(Some(&near), 1e-2);
+        assert_eq!((&x, report.iterations, report.residual_history.len()), (&near, 0, 1));
+        assert!((report.residual_history[0] / 1e-3 - 1.0).abs() < 1e-6);
+        // The goal stays relative to the right-hand side.
+        let (_, report) = solve(Some(&near), 1e-12);
+        assert!(report.relative_residual <= 1e-12 && report.residual_history[0] < 1e-2);
+
+        for factor in [-1e-3, 2.5, -1e6, 1e300] {
+            let far: Vec<f64> = solution.iter().map(|x| factor * x).collect();
+            let (x, report) = solve(Some(&far), 1e-12);
+            assert_eq!(
+                (x, report.residual_history),
+                (solution.clone(), from_zero.residual_history.clone())
+            );
+        }
+        let zero = conjugate_gradients(
+            &a,
+            &[0.0; 50],
+            &mut Identity,
+            &SolveOptions { start: Some(&near), ..Default::default() },
+        );
+        assert_eq!(zero.unwrap().0, [0.0; 50]);
+    }
+
+    #[test]
+    fn a_senseless_start_is_refused() {
+        let (a, rhs) = (second_difference(5), [1.0; 5]);
+        let solve = |start: &[f64]| {
+            let options = SolveOptions { start: Some(start), ..Default::default() };
+            conjugate_gradients(&a, &rhs, &mut Identity, &options).unwrap_err()
+        };
+        assert!(matches!(solve(&[0.0; 4]), Error::Size { found: 4, expected: 5, .. }));
+        let hole = [0.0, 0.0, f64::NAN, 0.0, 0.0];
+        assert!(matches!(solve(&hole), Error::NotFinite { what: "start", index: 2, .. }));
+    }
+
+    #[test]
+    fn the_iterate_with_the_smallest_residual_is_kept() {
+        // Weights over six decades: residuals rise and fall.
+        let a = second_difference(60);
+        let weights: Vec<f64> = (0..60).map(|i| 10f64.powi(i % 7)).collect();
+        let row = |i: usize| a.row(i).0.iter().map(move |j| (i, *j as usize));
+        let scales: Vec<f64> =
+            (0..60).flat_map(row).map(|(i, j)| (weights[i] * weights[j]).sqrt()).collect();
+        let scaled = a.values().iter().zip(scales).map(|(v, s)| v * s).collect();
+        let (a, rhs) = (a.with_values(scaled), noise(60, 4));
+        let mut risen = 0;
+        for max_iterations in 1..40 {
+            let options = SolveOptions { max_iterations, ..Default::default() };
+            let solved = conjugate_gradients(&a, &rhs, &mut Identity, &options);
+            let Err(Error::NotConverged(at)) = solved else { panic!("no convergence") };
+            let history = &at.report.residual_history[1..];
+            let smallest = history.iter().copied().fold(f64::INFINITY, f64::min);
+            assert!((at.report.relative_residual / smallest - 1.0).abs() < 1e-6);
+            risen += usize::from(history[history.len() - 1] > smallest);
+        }
+        assert!(risen > 5, "{risen}");
     }
 
     #[test]

@@ -218,10 +218,22 @@ pub enum Error {
     NotConverged(Box<Unfinished>),
     /// The progress callback asked to stop.
     #[error(
-        "stopped on request: relative residual {:.3e} after {} iterations",
-        .0.report.relative_residual, .0.report.iterations
+        "stopped on request after {} iterations at a relative residual of {:.3e}",
+        .0.report.iterations, .0.report.relative_residual
     )]
     Stopped(Box<Unfinished>),
+}
+
+impl Error {
+    /// What an iteration left behind that did not reach its goal, if this is about one.
+    pub fn unfinished(&self) -> Option<&Unfinished> {
+        match self {
+            Self::NotPositiveDefinite { at, .. } | Self::NotConverged(at) | Self::Stopped(at) => {
+                Some(at)
+            }
+            _ => None,
+        }
+    }
 }
 
 fn list(modes: &[RigidMode]) -> String {

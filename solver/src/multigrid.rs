@@ -110,11 +110,10 @@ impl<E: Entry<Real = f64>> Multigrid<E> {
     /// `transfers` bring solutions (not corrections) to the finer level, **finest
     /// first**; where the list ends the prolongation does. Right-hand sides of
     /// coarser levels are Pᵀ times the finer one. Prescribed values other than zero
-    /// must be lifted by a smooth function first: coarse levels cannot see how a
-    /// solution bends in the outermost layer of elements.
+    /// need a smooth lift first, see [`smooth_lift`](crate::smooth_lift).
     ///
     /// One cycle a level reaches the accuracy of the discretisation where a cycle
-    /// reduces errors well; see [`quadratic_transfer`](crate::quadratic_transfer).
+    /// reduces errors well; see [`quadratic_matrix`](octruss_mesh::quadratic_matrix).
     ///
     /// # Errors
     /// [`Error::Size`] if `rhs` or a transfer does not fit; [`Error::NotFinite`].

@@ -5,10 +5,11 @@
 pub struct SolveReport {
     /// Iterations done.
     pub iterations: usize,
-    /// ‖b − A x‖ / ‖b‖ at the end, computed anew in double precision.
+    /// ‖b − A x‖ / ‖b‖ of the solution, or of the best iterate where there is none;
+    /// computed anew in double precision.
     pub relative_residual: f64,
-    /// Relative residuals as the iteration saw them, the first before the
-    /// first iteration; one more than iterations.
+    /// Relative residuals as the iteration saw them, the first that of the start
+    /// (1 of zero); one more than iterations.
     pub residual_history: Vec<f64>,
     /// Seconds spent on building the preconditioner.
     pub setup_seconds: f64,
@@ -21,10 +22,10 @@ pub struct SolveReport {
 pub struct Unfinished {
     /// What was done and reached.
     pub report: SolveReport,
-    /// The best iterate. Conjugate gradients decrease the energy norm of the
-    /// error in every iteration, so there it is the last; of cycles alone it is the
-    /// one with the smallest residual. Of a system of blocks
-    /// three numbers for each row.
+    /// The iterate with the smallest residual, which may be the start; only zero, from
+    /// which every iteration of conjugate gradients leads nearer to the solution in
+    /// the energy norm, is none there. Of a system of blocks three numbers for each
+    /// row.
     pub iterate: Vec<f64>,
 }
 

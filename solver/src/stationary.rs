@@ -11,7 +11,7 @@ use crate::random::noise;
 use crate::report::SolveReport;
 use crate::run::{Run, SolveOptions};
 
-/// Solves A x = b from zero by x ← x + M (b − A x), M the preconditioner.
+/// Solves A x = b by x ← x + M (b − A x), M the preconditioner.
 ///
 /// # Errors
 /// [`Error::NotConverged`] and [`Error::Stopped`] carry history and the iterate
@@ -24,35 +24,30 @@ pub fn stationary_iteration<E: Entry<Real = f64>>(
     options: &SolveOptions<'_>,
 ) -> Result<(Vec<E::Nodal>, SolveReport), Error> {
     let mut run = Run::new(matrix, rhs, preconditioner.setup_seconds(), options)?;
-    let mut x = vec![E::Nodal::default(); rhs.len()];
-    if run.is_trivial() {
+    let (mut x, mut r) = run.first_iterate(true);
+    if run.is_small(norm(&r)) {
         return Ok(run.finish(x));
     }
-    let (mut r, mut z) = (rhs.to_vec(), vec![E::Nodal::default(); rhs.len()]);
-    // Zero leaves the right-hand side: the best before the first iteration.
-    let (mut best, mut best_norm) = (x.clone(), norm(rhs));
+    let mut z = x.clone();
     while run.may_go_on() {
         preconditioner.apply(&r, &mut z);
-        x.iter_mut().zip(&z).for_each(|(x, z)| *x = x.plus(*z));
+        z.iter_mut().zip(&x).for_each(|(z, x)| *z = x.plus(*z));
+        std::mem::swap(&mut x, &mut z);
         residual(matrix, &x, rhs, &mut r);
         let residual_norm = norm(&r);
-        let wish = run.record(residual_norm);
+        let wish = run.record(residual_norm, || z.clone());
         if run.is_small(residual_norm) {
             return Ok(run.finish(x));
-        }
-        if residual_norm < best_norm {
-            best.copy_from_slice(&x);
-            best_norm = residual_norm;
         }
         // A diverging iteration ends in infinities: no need to wait for the limit.
         if !residual_norm.is_finite() {
             break;
         }
         if wish.is_break() {
-            return Err(Error::Stopped(run.unfinished(best)));
+            return Err(Error::Stopped(run.unfinished(x)));
         }
     }
-    Err(Error::NotConverged(run.unfinished(best)))
+    Err(Error::NotConverged(run.unfinished(x)))
 }
 
 /// How much one cycle reduces the error: the mean (geometric, over the last 8

@@ -3,7 +3,8 @@
 
 use octruss_mesh::shapes::kuhn_cube;
 use octruss_mesh::{
-    FeatureOptions, Hierarchy, Scheme, SubdivisionMatrix, linear_matrix, subdivide,
+    FeatureOptions, Hierarchy, Scheme, SubdivisionMatrix, linear_matrix, quadratic_matrix,
+    subdivide,
 };
 use octruss_solver::*;
 use std::f64::consts::PI;
@@ -216,9 +217,8 @@ fn full_multigrid_ratio(cube: &Cube, quadratic: bool, options: &MultigridOptions
         .rev()
         .filter(|_| quadratic)
         .map(|middle| {
-            let [coarse, fine] = [&cube.dofs[middle], &cube.dofs[middle + 1]];
-            let [parent, middle] = [&topologies[middle - 1], &topologies[middle]];
-            quadratic_transfer(parent, middle, fine, coarse).unwrap()
+            let matrix = quadratic_matrix(&topologies[middle - 1], &topologies[middle]);
+            restrict_to_free(&matrix, &cube.dofs[middle + 1], &cube.dofs[middle]).unwrap()
         })
         .collect();
     let mut multigrid = cube.multigrid(options);
@@ -251,22 +251,16 @@ fn quadratic_transfer_is_exact_for_quadratics() {
     for _ in 0..2 {
         hierarchy.subdivide(Scheme::Linear).unwrap();
     }
-    let dofs: Vec<Dofs> =
-        hierarchy.meshes.iter().map(|mesh| Dofs::new(mesh, &[]).unwrap()).collect();
-    let topologies = &hierarchy.topologies;
-    let transfer = quadratic_transfer(&topologies[0], &topologies[1], &dofs[2], &dofs[1]).unwrap();
+    let transfer = quadratic_matrix(&hierarchy.topologies[0], &hierarchy.topologies[1]);
     let values = |level: usize| -> Vec<f64> {
         let at = |[x, y, z]: &[f64; 3]| 1.0 + x * y - 3.0 * z * z + x * x + y - z * y;
         hierarchy.meshes[level].points().iter().map(at).collect()
     };
-    let mut fine = values(2);
-    fine.fill(0.0);
-    kernels::product(&transfer, &values(1), &mut fine);
+    let fine = transfer.apply_field(&values(1), 1);
+    assert_eq!(fine.len(), hierarchy.finest().points().len());
     for (found, exact) in fine.iter().zip(values(2)) {
         assert!((found - exact).abs() < 1e-14);
     }
-    let wrong = quadratic_transfer(&topologies[0], &topologies[2], &dofs[2], &dofs[1]);
-    assert!(matches!(wrong, Err(Error::Size { .. })));
 }
 
 #[test]

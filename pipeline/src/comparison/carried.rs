@@ -11,7 +11,7 @@ use serde::Serialize;
 use super::plan::Geometry;
 use crate::recipe::{Choice, Prolongation};
 use crate::stages::Solve;
-use crate::stages::multigrid::{Discrete, Expand};
+use crate::stages::multigrid::Discrete;
 use crate::stages::transfers::transfers;
 
 /// How near a carried solution comes to the one computed.
@@ -29,9 +29,6 @@ pub struct Carried {
     pub energy_difference: f64,
 }
 
-/// A problem on a level, and how its solution becomes values at vertices.
-pub(super) type Problem<E> = (Discrete<E>, Expand<E>);
-
 /// Carries the solution of the level below the finest up by each prolongation. What is
 /// prescribed on the finer level does not count.
 ///
@@ -41,12 +38,13 @@ pub(super) fn carry<E: Entry<Real = f64>>(
     options: &Solve,
     prolongations: &[Prolongation],
     (hierarchy, geometry): (&Hierarchy, Geometry),
-    (fine, _): &Problem<E>,
-    (coarse_hierarchy, (coarse, expand)): (&Hierarchy, &Problem<E>),
+    fine: &Discrete<E>,
+    (coarse_hierarchy, coarse): (&Hierarchy, &Discrete<E>),
 ) -> Result<Vec<Carried>, Error> {
     let transfer = coarse_hierarchy.refinements.len();
     let computed = solution(options, hierarchy, fine)?;
-    let coarse_values = expand(&solution(options, coarse_hierarchy, coarse)?)?;
+    let coarse_level = coarse.levels.last().expect("there is at least one level");
+    let coarse_values = coarse_level.expand(&solution(options, coarse_hierarchy, coarse)?);
     let energy = |v: &[E::Nodal]| {
         let mut image = v.to_vec();
         kernels::product(&fine.matrix, v, &mut image);

@@ -87,9 +87,10 @@ fn lines<'r>(rows: &[&'r Row]) -> Vec<(String, Vec<&'r Row>)> {
     let mut lines: Vec<(String, Vec<&Row>)> = Vec::new();
     for row in rows {
         let name = [
-            &row.prolongation,
+            row.prolongation.as_str(),
             row.coarse_operator,
-            &format!("{} {}", row.cycle, row.smoother),
+            &row.cycle,
+            &row.smoother,
             if row.affine_correction == "off" { "uncorrected" } else { "" },
             if row.interface_rows == "linear" { "linear interfaces" } else { "" },
         ];

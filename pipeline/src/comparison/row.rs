@@ -4,7 +4,7 @@ use std::time::Instant;
 
 use octruss_mesh::Hierarchy;
 use octruss_solver::{
-    Csr, Entry, Error, Multigrid, MultigridOptions, Nodal, SolveOptions, SolveReport,
+    Csr, CycleShape, Entry, Error, Multigrid, MultigridOptions, Nodal, SolveOptions, SolveReport,
     conjugate_gradients, geometric_mean, noise, reductions,
 };
 use serde::Serialize;
@@ -119,6 +119,10 @@ impl<E: Entry<Real = f64>> Level<'_, E> {
         };
         let [(setup_seconds, setup_spread), (solve_seconds, solve_spread)] =
             [setups, solves].map(median_and_spread);
+        let shape = match cycle.shape {
+            CycleShape::V => "V",
+            CycleShape::W => "W",
+        };
         let worst =
             |defect: fn(&TransferFigures) -> f64| figures.iter().map(defect).fold(0.0, f64::max);
         Ok(Row {
@@ -131,12 +135,7 @@ impl<E: Entry<Real = f64>> Level<'_, E> {
             affine_defect: worst(|transfer| transfer.affine_defect),
             affine_defect_before: worst(|transfer| transfer.affine_defect_before),
             interface_rows: options.interface_rows.0.name(),
-            cycle: format!(
-                "{}({},{})",
-                cycle.shape.name().to_uppercase(),
-                cycle.before,
-                cycle.after
-            ),
+            cycle: format!("{}({},{})", shape, cycle.before, cycle.after),
             smoother: smoother(&cycle),
             level: self.hierarchy.refinements.len(),
             unknowns: self.discrete.unknowns(),

@@ -16,8 +16,10 @@ use crate::error::Error;
 use crate::progress::{Listener, News, Progress};
 use crate::recipe::{Choice, Named, Prolongation, Recipe};
 use crate::run::run_stages;
-use crate::stages::solve::Problem;
-use crate::stages::{CoarseOperator, Context, Solve, Stage, Subdivide, elasticity, poisson};
+use crate::stages::multigrid::Discrete;
+use crate::stages::{
+    CoarseOperator, Context, Problem, Solve, Stage, Subdivide, elasticity, poisson,
+};
 
 /// Compares what a config's table `[compare]` lists, on the problem of its first stage
 /// `solve` and the levels of its first stage `subdivide`; stages between and after
@@ -137,7 +139,7 @@ impl<'a> Study<'a> {
         &self,
         hierarchy: &Hierarchy,
         geometry: Geometry,
-        discretise: impl Fn(&Solve, &Hierarchy, &Context) -> Result<carried::Problem<E>, Error>,
+        discretise: impl Fn(&Solve, &Hierarchy, &Context) -> Result<Discrete<E>, Error>,
     ) -> Result<(Vec<Row>, Vec<Carried>), Error> {
         let number = hierarchy.refinements.len();
         let label = format!("{} level {number}", geometry.name());
@@ -157,14 +159,14 @@ impl<'a> Study<'a> {
             let solve = Solve { coarse_operator, ..self.solve.clone() };
             let with_coarse = discretise(&solve, hierarchy, &context)?;
             reassembly_seconds = start.elapsed().as_secs_f64();
-            problem.0.coarse_matrices = with_coarse.0.coarse_matrices;
+            problem.coarse_matrices = with_coarse.coarse_matrices;
         }
         let level = Level {
             problem: self.solve.problem.name(),
             body: &self.body,
             geometry,
             hierarchy,
-            discrete: &problem.0,
+            discrete: &problem,
             reassembly_seconds,
             repeats: self.plan.repeats(),
         };
@@ -191,9 +193,9 @@ impl<'a> Study<'a> {
         &self,
         hierarchy: &Hierarchy,
         geometry: Geometry,
-        problem: &carried::Problem<E>,
+        problem: &Discrete<E>,
         (discretise, context): (
-            &impl Fn(&Solve, &Hierarchy, &Context) -> Result<carried::Problem<E>, Error>,
+            &impl Fn(&Solve, &Hierarchy, &Context) -> Result<Discrete<E>, Error>,
             &Context,
         ),
     ) -> Result<Vec<Carried>, Error> {

@@ -10,11 +10,11 @@ use super::choice::{Choice, by_name, unknown};
 ///
 /// ```
 /// use octruss::recipe::Auto;
-/// use octruss_solver::CycleShape;
-/// assert_eq!("auto".parse(), Ok(Auto::<CycleShape>(None)));
-/// assert_eq!("w".parse(), Ok(Auto(Some(CycleShape::W))));
-/// let error = "x".parse::<Auto<CycleShape>>().unwrap_err();
-/// assert_eq!(error, "unknown cycle `x`; did you mean `v`? (valid: auto, v, w)");
+/// use octruss::stages::Cycle;
+/// assert_eq!("auto".parse(), Ok(Auto::<Cycle>(None)));
+/// assert_eq!("w".parse(), Ok(Auto(Some(Cycle::W))));
+/// let error = "x".parse::<Auto<Cycle>>().unwrap_err();
+/// assert_eq!(error, "unknown cycle `x`; did you mean `v`? (valid: auto, v, w, full)");
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Auto<T>(pub Option<T>);

@@ -1,6 +1,6 @@
 //! Closed choices of the solver crate, by name.
 
-use octruss_solver::{CycleShape, Precision, Smoother};
+use octruss_solver::{Precision, Smoother};
 
 use super::choice::Choice;
 
@@ -15,17 +15,6 @@ impl Choice for Smoother {
             Self::GaussSeidel => "gauss-seidel",
             Self::ColouredGaussSeidel => "coloured-gauss-seidel",
             Self::L1Jacobi => "l1-jacobi",
-        }
-    }
-}
-
-impl Choice for CycleShape {
-    const WHAT: &'static str = "cycle";
-    const ALL: &'static [Self] = &[Self::V, Self::W];
-    fn name(self) -> &'static str {
-        match self {
-            Self::V => "v",
-            Self::W => "w",
         }
     }
 }

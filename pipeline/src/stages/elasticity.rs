@@ -10,9 +10,8 @@ use super::Context;
 use super::body::Body;
 use super::fixed::Fixed;
 use super::groups::{by_region, on_surfaces};
-use super::multigrid::{Discrete, LevelUnknowns, blank_outside, range};
+use super::multigrid::{Discrete, blank_outside, range};
 use super::solve::{Outcome, Solve, assembled, solve_in_turn};
-use super::transfers::CoarseOperator;
 use crate::error::Error;
 use crate::recipe::{self, PerRegion, ValueOrVector, VectorValue};
 
@@ -28,7 +27,7 @@ pub(super) fn solve(
 ) -> Result<Outcome, Error> {
     let problem = problem(options, hierarchy.finest().raw(), context)?;
     let (Assembled { discrete, constraints }, assembly_seconds) =
-        assembled(options, context, || discretise(hierarchy, &problem, options.coarse_operator.0))?;
+        assembled(options, context, || assemble_levels(options, hierarchy, &problem))?;
     let expand = |x: &[[f64; 3]]| {
         let mut displacement = constraints.expand(x)?;
         let length = |u: &[f64; 3]| u.iter().map(|u| u * u).sum::<f64>().sqrt();
@@ -44,6 +43,20 @@ pub(super) fn solve(
     Ok(Outcome { solves, assembly_seconds, point_fields, cell_fields, body: Some(figures) })
 }
 
+/// The problem that a stage describes, on the finest mesh.
+///
+/// # Errors
+/// As [`solve`], but of assembling alone.
+pub(crate) fn discretise(
+    options: &Solve,
+    hierarchy: &Hierarchy,
+    context: &Context,
+) -> Result<Discrete<[[f64; 3]; 3]>, Error> {
+    let problem = problem(options, hierarchy.finest().raw(), context)?;
+    let assembled = assemble_levels(options, hierarchy, &problem);
+    Ok(assembled.map_err(|source| context.solver("assembly", source))?.discrete)
+}
+
 /// The system, and what is held on the finest level.
 struct Assembled {
     discrete: Discrete<[[f64; 3]; 3]>,
@@ -57,28 +70,28 @@ impl AsRef<Discrete<[[f64; 3]; 3]>> for Assembled {
 }
 
 /// The system on the finest level and the unknowns of all.
-fn discretise(
+fn assemble_levels(
+    options: &Solve,
     hierarchy: &Hierarchy,
     problem: &Elasticity,
-    coarse_operator: CoarseOperator,
 ) -> Result<Assembled, SolverError> {
     let finest = hierarchy.meshes.len() - 1;
-    let level = |held: &Constraints| LevelUnknowns {
-        dofs: held.dofs().clone(),
-        projectors: held.projectors(),
+    let system_of = |level: usize| {
+        assemble_elasticity(&hierarchy.meshes[level], &hierarchy.topologies[level], problem)
     };
-    let coarse = hierarchy.meshes.iter().zip(&hierarchy.topologies).take(finest);
     let (mut levels, mut coarse_matrices) = (Vec::new(), Vec::new());
-    for (mesh, topology) in coarse {
-        levels.push(level(&Constraints::new(mesh, topology, &problem.supports)?));
-        if coarse_operator == CoarseOperator::Reassembled {
-            coarse_matrices.push(assemble_elasticity(mesh, topology, problem)?.matrix);
+    for level in 0..finest {
+        let (mesh, topology) = (&hierarchy.meshes[level], &hierarchy.topologies[level]);
+        levels.push((&Constraints::new(mesh, topology, &problem.supports)?).into());
+        if options.reassembles() {
+            coarse_matrices.push(system_of(level)?.matrix);
         }
     }
-    let (mesh, topology) = (&hierarchy.meshes[finest], &hierarchy.topologies[finest]);
-    let VectorSystem { matrix, rhs, constraints } = assemble_elasticity(mesh, topology, problem)?;
-    levels.push(level(&constraints));
-    let discrete = Discrete { matrix, rhs, levels, coarse_matrices };
+    let VectorSystem { matrix, rhs, constraints } = system_of(finest)?;
+    levels.push((&constraints).into());
+    let coarsest = options
+        .coarsest_solution(&levels, || system_of(0).map(|system| (system.matrix, system.rhs)))?;
+    let discrete = Discrete { matrix, rhs, levels, coarse_matrices, coarsest };
     Ok(Assembled { discrete, constraints })
 }
 

@@ -31,6 +31,30 @@ impl Choice for Method {
     }
 }
 
+/// The shape of the cycle.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Cycle {
+    /// Coarser levels are visited once.
+    V,
+    /// Coarser levels are visited twice from each level.
+    W,
+    /// A pass of full multigrid, with one V-cycle a level, finds the start; the
+    /// iteration goes on with V-cycles.
+    Full,
+}
+
+impl Choice for Cycle {
+    const WHAT: &'static str = "cycle";
+    const ALL: &'static [Self] = &[Self::V, Self::W, Self::Full];
+    fn name(self) -> &'static str {
+        match self {
+            Self::V => "v",
+            Self::W => "w",
+            Self::Full => "full",
+        }
+    }
+}
+
 /// What a solve was done with, by the names that configs use.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct MethodFigures {
@@ -38,6 +62,9 @@ pub struct MethodFigures {
     pub method: &'static str,
     /// The shape of the cycle.
     pub cycle: &'static str,
+    /// How full multigrid brought solutions to finer levels, where it did.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub full_transfer: Option<&'static str>,
     /// What one sweep is.
     pub smoother: &'static str,
     /// The degree of the polynomial, where the smoother is one.
@@ -60,7 +87,10 @@ impl Solve {
             (smoother, _) => smoother,
         };
         let [before, after] = self.sweeps.0.map(usize::from);
-        let shape = self.cycle.0.unwrap_or(auto.shape);
+        let shape = match self.cycle() {
+            Cycle::V | Cycle::Full => CycleShape::V,
+            Cycle::W => CycleShape::W,
+        };
         let precision = self.precision.0.unwrap_or(auto.precision);
         MultigridOptions { smoother, shape, before, after, precision, ..auto }
     }
@@ -83,8 +113,7 @@ impl Solve {
         &self,
         multigrid: &Multigrid<E>,
     ) -> MethodFigures {
-        let MultigridOptions { smoother, shape, before, after, precision, .. } =
-            *multigrid.options();
+        let MultigridOptions { smoother, before, after, precision, .. } = *multigrid.options();
         let method = match self.method() {
             Method::ConjugateGradients if !multigrid.is_symmetric() => "flexible-cg",
             method => method.name(),
@@ -95,7 +124,8 @@ impl Solve {
         };
         MethodFigures {
             method,
-            cycle: CycleShape::name(shape),
+            cycle: self.cycle().name(),
+            full_transfer: self.full_transfer().map(Choice::name),
             smoother: smoother.name(),
             smoothing_degree,
             sweeps: [before, after],
@@ -107,17 +137,43 @@ impl Solve {
         self.method.0.unwrap_or(Method::ConjugateGradients)
     }
 
-    /// Why `smoothing-degree` cannot be given beside this smoother, if it cannot.
-    pub(super) fn misplaced_degree(key: &str, smoother: Option<&str>) -> Option<String> {
-        let polynomial = Smoother::CHEBYSHEV.name();
-        // A name that is none is told when the value is read.
-        let given = smoother.and_then(|given| {
-            Smoother::ALL.iter().map(|choice| choice.name()).find(|name| *name == given)
-        })?;
-        (key == "smoothing-degree" && given != polynomial).then(|| {
-            format!(
-                "`{key}` belongs to smoother = \"{polynomial}\", but this stage smooths by \"{given}\""
-            )
-        })
+    pub(super) fn cycle(&self) -> Cycle {
+        self.cycle.0.unwrap_or(Cycle::V)
     }
+
+    /// Why `key` cannot be given beside the smoother or cycle given, if it cannot.
+    pub(super) fn misplaced<'a>(
+        key: &str,
+        option: impl Fn(&str) -> Option<&'a str>,
+    ) -> Option<String> {
+        match key {
+            "smoothing-degree" => {
+                let needed_or_auto = [Smoother::CHEBYSHEV; 2];
+                belongs(key, "smoother", needed_or_auto, option, "this stage smooths by")
+            }
+            "full-transfer" => {
+                belongs(key, "cycle", [Cycle::Full, Cycle::V], option, "the cycle of this stage is")
+            }
+            _ => None,
+        }
+    }
+}
+
+/// Why `key`, which goes with one choice of `owner` alone, does not go with the one
+/// given or with `auto`, if it does not.
+fn belongs<'a, T: Choice>(
+    key: &str,
+    owner: &str,
+    [needed, auto]: [T; 2],
+    option: impl Fn(&str) -> Option<&'a str>,
+    but: &str,
+) -> Option<String> {
+    let given = match option(owner) {
+        None | Some("auto") => auto.name(),
+        // A name that is none is told when the value is read.
+        Some(given) => T::ALL.iter().map(|choice| choice.name()).find(|name| *name == given)?,
+    };
+    let needed = needed.name();
+    (given != needed)
+        .then(|| format!("`{key}` belongs to {owner} = \"{needed}\", but {but} \"{given}\""))
 }

@@ -8,6 +8,7 @@ mod check;
 mod corner_fields;
 pub(crate) mod elasticity;
 mod fixed;
+mod full;
 mod groups;
 mod import;
 mod jumps;
@@ -16,6 +17,7 @@ pub(crate) mod multigrid;
 mod on_surface;
 pub(crate) mod poisson;
 mod solve;
+mod stale;
 mod subdivide;
 mod subdivide_report;
 pub(crate) mod transfers;
@@ -34,8 +36,9 @@ pub use body::{BodyFigures, Force, ForceFigures, SurfaceForce};
 pub use carried_fields::{CarriedFields, FieldFigures};
 pub use check::{Check, CheckReport};
 pub use fixed::Fixed;
+pub use full::FullTransfer;
 pub use import::{Import, ImportReport};
-pub use method::{Method, MethodFigures};
+pub use method::{Cycle, Method, MethodFigures};
 pub use multigrid::SolveFigures;
 pub use on_surface::{OnSurface, Robin, Springs, VectorOnSurface};
 pub use solve::{Problem, Solve, SolveReport};
@@ -177,8 +180,7 @@ impl Stage {
         if kind != "solve" {
             return None;
         }
-        Problem::misplaced(key, option("problem"))
-            .or_else(|| Solve::misplaced_degree(key, option("smoother")))
+        Problem::misplaced(key, option("problem")).or_else(|| Solve::misplaced(key, option))
     }
 
     /// Does it.

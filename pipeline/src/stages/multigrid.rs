@@ -4,7 +4,7 @@ use std::ops::ControlFlow;
 use std::time::Instant;
 
 use octruss_mesh::{Hierarchy, TetMesh};
-use octruss_solver::{Csr, Dofs, Entry, Error, Multigrid, SolveOptions};
+use octruss_solver::{Csr, Dofs, Entry, Error, LevelUnknowns, Multigrid, Nodal, SolveOptions};
 use serde::Serialize;
 
 use super::Context;
@@ -48,11 +48,15 @@ pub struct SolveFigures {
     pub affine_defects: Vec<f64>,
     /// More about each transfer, the coarsest first.
     pub transfers: Vec<TransferFigures>,
+    /// ‖b − A x‖ / ‖b‖ after the pass of full multigrid, before the first iteration.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub full_multigrid_residual: Option<f64>,
     /// Iterations, one cycle each.
     pub iterations: usize,
     /// ‖b − A x‖ / ‖b‖ at the end.
     pub relative_residual: f64,
-    /// Relative residuals from 1 on, one more than iterations.
+    /// Relative residuals from that of the start (1 of zero) on, one more than
+    /// iterations.
     pub residual_history: Vec<f64>,
     /// The factor by which an iteration reduces the residual, geometric mean.
     pub mean_reduction: f64,
@@ -65,7 +69,7 @@ pub struct SolveFigures {
     pub maximum: f64,
     /// Prolongations, coarse matrices, factors.
     pub setup_seconds: f64,
-    /// Iterating.
+    /// Iterating, after the pass of full multigrid if there was one.
     pub solve_seconds: f64,
     /// Bytes and bandwidth of each kernel of a cycle, if asked for.
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -89,21 +93,10 @@ pub struct Discrete<E: Entry> {
     pub levels: Vec<LevelUnknowns<E>>,
     /// The matrices assembled on the coarse levels, coarsest first, where asked for.
     pub coarse_matrices: Vec<Csr<E>>,
+    /// The solution of the coarsest level's own problem, where full multigrid needs
+    /// one.
+    pub coarsest: Option<Vec<E::Nodal>>,
 }
-
-/// The unknowns of one level.
-pub struct LevelUnknowns<E> {
-    /// Which vertices they belong to.
-    pub dofs: Dofs,
-    /// Those that are held in some directions, with the projector onto the free
-    /// ones.
-    pub projectors: Vec<(u32, E)>,
-}
-
-/// Makes values at all vertices, prescribed ones included, of the unknowns of the
-/// finest level.
-pub type Expand<E> =
-    Box<dyn Fn(&[<E as Entry>::Nodal]) -> Result<Vec<<E as Entry>::Nodal>, Error> + Send + Sync>;
 
 impl<E: Entry> AsRef<Self> for Discrete<E> {
     fn as_ref(&self) -> &Self {
@@ -149,7 +142,7 @@ pub fn solve_with<E: Entry<Real = f64>>(
     context: &Context,
 ) -> Result<(Vec<E::Nodal>, SolveFigures), Error> {
     let start = Instant::now();
-    let Discrete { matrix, rhs, levels, coarse_matrices } = discrete;
+    let Discrete { matrix, rhs, levels, coarse_matrices, .. } = discrete;
     let transfer_options = options.transfer_options(prolongations);
     let (mut transfers, transfer_figures) = transfers(&transfer_options, hierarchy, levels)?;
     reassemble(&mut transfers, coarse_matrices);
@@ -157,6 +150,9 @@ pub fn solve_with<E: Entry<Real = f64>>(
     let cycle = options.multigrid_options();
     let mut multigrid = Multigrid::with_transfers(matrix, transfers, projectors, &cycle)?;
     let setup_seconds = start.elapsed().as_secs_f64();
+    let start = Instant::now();
+    let full_pass = options.full_pass(hierarchy, discrete, &mut multigrid)?;
+    let pass_seconds = start.elapsed().as_secs_f64();
     let tell = |iteration: usize, residual: f64| {
         context
             .progress
@@ -164,14 +160,18 @@ pub fn solve_with<E: Entry<Real = f64>>(
         if context.asked_to_stop() { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
     };
     let stop = SolveOptions {
+        start: full_pass.as_deref().map(Nodal::flat),
         tolerance: options.tolerance.0,
         max_iterations: options.max_iterations,
         progress: Some(&tell),
     };
     let (x, report) = options.iterate((matrix, rhs), &mut multigrid, &stop)?;
     let account = options.account.then(|| multigrid.account(REPEATS).into());
-    let digits = -report.relative_residual.log10();
     let cycles = report.iterations as f64;
+    // Without an iteration nothing was reduced, and nothing done.
+    let first_residual = report.residual_history[0];
+    let reduced = if cycles > 0.0 { report.relative_residual / first_residual } else { 1.0 };
+    let work = cycles * (multigrid.work_units() + 1.0);
     let figures = SolveFigures {
         name: prolongations.to_string(),
         prolongation: prolongations.to_string(),
@@ -187,15 +187,16 @@ pub fn solve_with<E: Entry<Real = f64>>(
         grid_complexity: multigrid.grid_complexity(),
         affine_defects: transfer_figures.iter().map(|t| t.affine_defect).collect(),
         transfers: transfer_figures,
+        full_multigrid_residual: full_pass.is_some().then_some(first_residual),
         iterations: report.iterations,
         relative_residual: report.relative_residual,
         residual_history: report.residual_history,
-        mean_reduction: report.relative_residual.powf(1.0 / cycles),
-        work_per_digit: cycles * (multigrid.work_units() + 1.0) / digits,
+        mean_reduction: reduced.powf(1.0 / cycles.max(1.0)),
+        work_per_digit: if cycles > 0.0 { -work / reduced.log10() } else { 0.0 },
         minimum: 0.0,
         maximum: 0.0,
         setup_seconds,
-        solve_seconds: report.solve_seconds,
+        solve_seconds: pass_seconds + report.solve_seconds,
         account,
     };
     Ok((x, figures))

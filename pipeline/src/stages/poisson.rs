@@ -2,13 +2,12 @@
 
 use octruss_mesh::{Hierarchy, RawMesh};
 use octruss_meshio::Field;
-use octruss_solver::{Dofs, Error as SolverError, Poisson, Robin, Scalar, assemble};
+use octruss_solver::{Dofs, Error as SolverError, Poisson, Robin, Scalar, System, assemble};
 
 use super::Context;
 use super::groups::{by_region, on_surfaces};
-use super::multigrid::{Discrete, LevelUnknowns, blank_outside, range};
+use super::multigrid::{Discrete, blank_outside, range};
 use super::solve::{Outcome, Solve, assembled, solve_in_turn};
-use super::transfers::CoarseOperator;
 use crate::error::Error;
 use crate::recipe::{Value, ValueOrVector};
 
@@ -22,27 +21,8 @@ pub(super) fn solve(
     context: &Context,
 ) -> Result<Outcome, Error> {
     let problem = problem(options, hierarchy.finest().raw(), context)?;
-    let (discrete, assembly_seconds) = assembled(options, context, || {
-        let finest = hierarchy.meshes.len() - 1;
-        let system = assemble(&hierarchy.meshes[finest], &hierarchy.topologies[finest], &problem)?;
-        let coarse = hierarchy.meshes.iter().zip(&hierarchy.topologies).take(finest);
-        let (mut dofs, mut coarse_matrices) = (Vec::new(), Vec::new());
-        for (mesh, topology) in coarse {
-            dofs.push(Dofs::new(mesh, &problem.fixed)?);
-            if options.coarse_operator.0 == CoarseOperator::Reassembled {
-                coarse_matrices.push(assemble(mesh, topology, &problem)?.matrix);
-            }
-        }
-        dofs.push(system.dofs);
-        let level = |dofs| LevelUnknowns { dofs, projectors: Vec::new() };
-        let levels = dofs.into_iter().map(level).collect();
-        Ok::<_, SolverError>(Discrete {
-            matrix: system.matrix,
-            rhs: system.rhs,
-            levels,
-            coarse_matrices,
-        })
-    })?;
+    let (discrete, assembly_seconds) =
+        assembled(options, context, || assemble_levels(options, hierarchy, &problem))?;
     let expand = |x: &[f64]| {
         let mut solution = discrete.finest().expand(x)?;
         blank_outside(&mut solution, hierarchy.finest(), f64::NAN);
@@ -52,6 +32,43 @@ pub(super) fn solve(
     let (solution, solves) = solve_in_turn(options, hierarchy, &discrete, expand, context)?;
     let point_fields = vec![Field::scalar("solution", solution)];
     Ok(Outcome { solves, assembly_seconds, point_fields, ..Outcome::default() })
+}
+
+/// The problem that a stage describes, on the finest mesh.
+///
+/// # Errors
+/// As [`solve`], but of assembling alone.
+pub(crate) fn discretise(
+    options: &Solve,
+    hierarchy: &Hierarchy,
+    context: &Context,
+) -> Result<Discrete<f64>, Error> {
+    let problem = problem(options, hierarchy.finest().raw(), context)?;
+    assemble_levels(options, hierarchy, &problem)
+        .map_err(|source| context.solver("assembly", source))
+}
+
+/// The system on the finest level and the unknowns of all.
+fn assemble_levels(
+    options: &Solve,
+    hierarchy: &Hierarchy,
+    problem: &Poisson,
+) -> Result<Discrete<f64>, SolverError> {
+    let finest = hierarchy.meshes.len() - 1;
+    let system_of =
+        |level: usize| assemble(&hierarchy.meshes[level], &hierarchy.topologies[level], problem);
+    let (mut levels, mut coarse_matrices) = (Vec::new(), Vec::new());
+    for level in 0..finest {
+        levels.push(Dofs::new(&hierarchy.meshes[level], &problem.fixed)?.into());
+        if options.reassembles() {
+            coarse_matrices.push(system_of(level)?.matrix);
+        }
+    }
+    let System { matrix, rhs, dofs } = system_of(finest)?;
+    levels.push(dofs.into());
+    let coarsest = options
+        .coarsest_solution(&levels, || system_of(0).map(|system| (system.matrix, system.rhs)))?;
+    Ok(Discrete { matrix, rhs, levels, coarse_matrices, coarsest })
 }
 
 /// The problem that a stage describes, on this mesh.

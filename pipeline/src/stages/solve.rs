@@ -6,13 +6,14 @@ use std::time::Instant;
 
 use octruss_mesh::{AffineCorrection, FeatureOptions, Hierarchy, InterfaceRows, Scheme};
 use octruss_meshio::{Field, Values};
-use octruss_solver::{CycleShape, Entry, Error as SolverError, Nodal, Precision, Smoother};
+use octruss_solver::{Entry, Error as SolverError, Nodal, Precision, Smoother};
 use serde::{Deserialize, Serialize};
 use toml::Spanned;
 
 use super::body::BodyFigures;
 use super::fixed::Fixed;
-use super::method::Method;
+use super::full::FullTransfer;
+use super::method::{Cycle, Method};
 use super::multigrid::{Discrete, SolveFigures, solve_with};
 use super::on_surface::{OnSurface, Robin, Springs, VectorOnSurface};
 use super::transfers::{CoarseOperator, TransferOptions};
@@ -76,7 +77,9 @@ pub struct Solve {
     /// What the cycle is used for; `auto` is conjugate gradients.
     pub method: Auto<Method>,
     /// The shape of the cycle; `auto` is V.
-    pub cycle: Auto<CycleShape>,
+    pub cycle: Auto<Cycle>,
+    /// How full multigrid brings solutions to finer levels; `auto` is quadratic.
+    pub full_transfer: Auto<FullTransfer>,
     /// What a smoothing sweep is; `auto` is Chebyshev.
     pub smoother: Auto<Smoother>,
     /// The degree of the Chebyshev smoother; 3 if not given.
@@ -147,6 +150,7 @@ impl Default for Solve {
             max_iterations: options.max_iterations,
             method: Auto(None),
             cycle: Auto(None),
+            full_transfer: Auto(None),
             smoother: Auto(None),
             smoothing_degree: None,
             sweeps: Sweeps([1, 1]),
@@ -247,15 +251,15 @@ pub(super) fn solve_in_turn<E: Entry<Real = f64>>(
         let what = format!("{prolongations} prolongation");
         let (solution, figures) = context.progress.step(index + 2, steps, &what, || {
             let solved = solve_with(options, prolongations, hierarchy, discrete, context);
-            let (x, mut figures) = solved.map_err(|source| match source {
-                SolverError::Stopped(at) => match expand(&of_rows(&at.iterate)) {
+            let (x, mut figures) = solved.map_err(|source| {
+                let Some(at) = source.unfinished() else { return context.solver(&what, source) };
+                match expand(&of_rows(&at.iterate)) {
                     Ok((values, _)) => {
                         let field = options.problem.field_of(Nodal::flat(&values));
-                        keep(field, at.report, hierarchy.finest(), &what, context)
+                        keep(field, &source, at.report.clone(), hierarchy.finest(), &what, context)
                     }
                     Err(source) => context.solver(&what, source),
-                },
-                source => context.solver(&what, source),
+                }
             })?;
             let (solution, range) = expand(&x).map_err(|source| context.solver(&what, source))?;
             [figures.minimum, figures.maximum] = range;

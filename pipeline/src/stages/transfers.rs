@@ -3,10 +3,9 @@
 use octruss_mesh::{
     AffineCorrection, CorrectedRows, Hierarchy, InterfaceRows, ProlongationOptions,
 };
-use octruss_solver::{Csr, Entry, Error, Transfer, restrict_to_free};
+use octruss_solver::{Csr, Entry, Error, LevelUnknowns, Transfer, restrict_to_free};
 use serde::Serialize;
 
-use super::multigrid::LevelUnknowns;
 use crate::recipe::{Choice, Prolongation, Prolongations};
 
 /// Where coarse matrices come from.

@@ -1,8 +1,8 @@
-//! What is kept of a solve that was asked to stop.
+//! What is kept of a solve that did not reach its goal.
 
 use octruss_mesh::TetMesh;
 use octruss_meshio::{Dataset, Field, vtu};
-use octruss_solver::SolveReport;
+use octruss_solver::{Error as SolverError, SolveReport};
 
 use super::Context;
 use crate::error::Error;
@@ -13,6 +13,7 @@ use crate::report::Unfinished;
 /// and what it reached, or why it could not be written.
 pub(super) fn keep(
     field: Field,
+    reason: &SolverError,
     report: SolveReport,
     finest: &TetMesh,
     what: &str,
@@ -29,6 +30,7 @@ pub(super) fn keep(
     Error::Unfinished(Box::new(Unfinished {
         stage: context.progress.label.into(),
         what: what.into(),
+        reason: reason.to_string(),
         iterations: report.iterations,
         relative_residual: report.relative_residual,
         residual_history: report.residual_history,

@@ -8,6 +8,7 @@ use octruss_meshio::{Dataset, Field, Values, pvd, vtu};
 use serde::{Deserialize, Serialize};
 
 use super::Context;
+use super::stale::remove_stale;
 use crate::amount;
 use crate::derived_fields::DerivedFields;
 use crate::error::Error;
@@ -18,7 +19,8 @@ use crate::state::State;
 /// vertex, region and quality a cell, and where both are in the mesh file),
 /// `solution.sides.vtu` if there are fields that jump between regions (the finest
 /// mesh taken apart where regions meet, with these fields), and what else is asked
-/// for, each file whole or not at all.
+/// for, each file whole or not at all. Files with such names that an earlier run left
+/// and this one did not write are removed.
 #[derive(Debug, Clone, PartialEq, Deserialize)]
 #[serde(deny_unknown_fields, rename_all = "kebab-case", default)]
 pub struct Write {
@@ -38,6 +40,9 @@ pub struct WriteReport {
     pub files: Vec<PathBuf>,
     /// The size of all together.
     pub bytes: u64,
+    /// Files of an earlier run that were removed, since this one has none like them.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub removed: Vec<PathBuf>,
     /// Fields whose names were needed.
     pub notes: Vec<String>,
 }
@@ -94,7 +99,10 @@ impl Write {
             files.push(path);
         }
         let bytes = files.iter().map(|file| size(file)).sum();
-        Ok(WriteReport { files, bytes, notes })
+        // A stage before this one may have written other levels.
+        state.written.extend_from_slice(&files);
+        let removed = remove_stale(folder, &state.written)?;
+        Ok(WriteReport { files, bytes, removed, notes })
     }
 
     fn write_solution(
@@ -161,6 +169,10 @@ impl WriteReport {
     pub(super) fn summary(&self) -> String {
         let folder = self.files.first().and_then(|file| file.parent()).unwrap_or(Path::new(""));
         let (count, bytes) = (self.files.len(), amount::bytes(self.bytes));
-        format!("{count} files in {}, {bytes}", folder.display())
+        let removed = match self.removed.len() {
+            0 => String::new(),
+            stale => format!(", {stale} of an earlier run removed"),
+        };
+        format!("{count} files in {}, {bytes}{removed}", folder.display())
     }
 }

@@ -32,7 +32,7 @@ pub fn solve_system(system: &VectorSystem) -> Vec<[f64; 3]> {
         x
     } else {
         let diagonal = (0..matrix.rows()).map(|i| matrix.get(i, i).unwrap()).collect();
-        let goal = SolveOptions { tolerance: 1e-10, max_iterations: 20_000, progress: None };
+        let goal = SolveOptions { tolerance: 1e-10, max_iterations: 20_000, ..Default::default() };
         conjugate_gradients(&matrix, rhs, &mut Diagonal(diagonal), &goal).unwrap().0
     };
     system.expand(x.as_chunks().0).unwrap()

@@ -1,0 +1,44 @@
+//! Files that the stage `write` left in an earlier run and did not write again.
+
+use std::path::{Path, PathBuf};
+
+use crate::error::Error;
+
+/// The names of a stage's files that do not depend on the number of levels, but for
+/// `solution.vtu`, which is always written.
+const FIXED: [&str; 4] =
+    ["solution.surfaces.vtu", "solution.sides.vtu", "features.vtu", "levels.pvd"];
+
+/// Removes from a folder the files with names that the stage gives, but those
+/// `written` in this run, so that none is taken for one of this run; returns them in
+/// order. Anything else stays.
+///
+/// # Errors
+/// If the folder cannot be read, or a file not be removed.
+pub(super) fn remove_stale(folder: &Path, written: &[PathBuf]) -> Result<Vec<PathBuf>, Error> {
+    let refused = |path: &Path, error: std::io::Error| Error::Output {
+        path: path.into(),
+        reason: error.to_string(),
+    };
+    let entries = std::fs::read_dir(folder).and_then(Iterator::collect::<Result<Vec<_>, _>>);
+    let entries = entries.map_err(|error| refused(folder, error))?;
+    let is_stale = |entry: &std::fs::DirEntry| {
+        let is_file = entry.file_type().is_ok_and(|kind| kind.is_file());
+        is_file && entry.file_name().to_str().is_some_and(is_own)
+    };
+    let stale = entries.into_iter().filter(is_stale).map(|entry| entry.path());
+    let mut stale: Vec<PathBuf> = stale.filter(|path| !written.contains(path)).collect();
+    stale.sort();
+    for path in &stale {
+        std::fs::remove_file(path).map_err(|error| refused(path, error))?;
+    }
+    Ok(stale)
+}
+
+/// Whether the stage gives this name to a file besides `solution.vtu`.
+fn is_own(name: &str) -> bool {
+    let number = name.strip_prefix("level-").and_then(|rest| rest.strip_suffix(".vtu"));
+    // As it is written: without sign or leading zeros.
+    let is_level = |number: &str| number.parse::<usize>().is_ok_and(|n| n.to_string() == number);
+    FIXED.contains(&name) || number.is_some_and(is_level)
+}

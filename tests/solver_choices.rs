@@ -129,6 +129,18 @@ fn full_multigrid_carries_prescribed_linear_functions_exactly() {
 }
 
 #[test]
+fn smooth_schemes_carry_the_solutions_of_full_multigrid() {
+    let folder = tempfile::tempdir().unwrap();
+    poisson(folder.path());
+    let path = folder.path().join("c.toml");
+    let config = std::fs::read_to_string(&path).unwrap();
+    std::fs::write(&path, config.replace("\"linear\"", "\"box-spline\"")).unwrap();
+    let (solve, error) = solve(folder.path(), &[("cycle", "full")], &[1.0]);
+    assert!(error < 1e-9, "{error}");
+    assert_eq!((&solve["full_transfer"], &solve["iterations"]), (&json!("scheme"), &json!(0)));
+}
+
+#[test]
 fn full_multigrid_starts_near_a_solution_that_is_not_linear() {
     let folder = tempfile::tempdir().unwrap();
     for (problem, value, components) in [

@@ -2,7 +2,7 @@
 
 use std::borrow::Cow;
 
-use octruss_mesh::{Hierarchy, SubdivisionMatrix, linear_matrix, quadratic_matrix};
+use octruss_mesh::{Hierarchy, Scheme, SubdivisionMatrix, linear_matrix, quadratic_matrix};
 use octruss_solver::{
     Csr, Entry, Error, LevelUnknowns, Multigrid, Nodal, SolveOptions, conjugate_gradients, kernels,
     restrict_to_free, smooth_lift,
@@ -38,6 +38,17 @@ impl Choice for FullTransfer {
 }
 
 impl FullTransfer {
+    /// What suits the levels: where a smooth scheme moved their vertices, its matrices
+    /// carry smooth functions best; on levels that linear refinement left as they
+    /// were, quadratic interpolation does.
+    fn auto(hierarchy: &Hierarchy) -> Self {
+        if hierarchy.refinements.iter().all(|refinement| refinement.scheme == Scheme::Linear) {
+            Self::Quadratic
+        } else {
+            Self::Scheme
+        }
+    }
+
     /// The matrices of all transfers, coarsest first.
     fn matrices(self, hierarchy: &Hierarchy) -> Vec<Cow<'_, SubdivisionMatrix>> {
         let topologies = &hierarchy.topologies;
@@ -50,13 +61,36 @@ impl FullTransfer {
         };
         (0..hierarchy.refinements.len()).map(matrix).collect()
     }
+
+    /// One pass of full multigrid with one cycle a level.
+    pub(super) fn full_pass<E: Entry<Real = f64>>(
+        self,
+        hierarchy: &Hierarchy,
+        Discrete { matrix, rhs, levels, coarsest, .. }: &Discrete<E>,
+        multigrid: &mut Multigrid<E>,
+    ) -> Result<Vec<E::Nodal>, Error> {
+        let matrices = self.matrices(hierarchy);
+        let pairs = matrices.iter().zip(levels.windows(2)).rev();
+        let transfers = pairs
+            .map(|(matrix, pair)| restrict_to_free(matrix, &pair[1].dofs, &pair[0].dofs))
+            .collect::<Result<Vec<_>, _>>()?;
+        let Some(coarsest) = coarsest else {
+            return multigrid.full_multigrid(rhs, &transfers, 1);
+        };
+        let lift = smooth_lift(coarsest, &matrices, levels)?;
+        let mut rest = rhs.clone();
+        kernels::residual(matrix, &lift, rhs, &mut rest);
+        let mut x = multigrid.full_multigrid(&rest, &transfers, 1)?;
+        x.iter_mut().zip(&lift).for_each(|(x, lift)| *x = x.plus(*lift));
+        Ok(x)
+    }
 }
 
 impl Solve {
     /// How full multigrid transfers, if the keys ask for it.
-    pub(super) fn full_transfer(&self) -> Option<FullTransfer> {
+    pub(super) fn full_transfer(&self, hierarchy: &Hierarchy) -> Option<FullTransfer> {
         let asked = self.cycle() == Cycle::Full;
-        asked.then(|| self.full_transfer.0.unwrap_or(FullTransfer::Quadratic))
+        asked.then(|| self.full_transfer.0.unwrap_or_else(|| FullTransfer::auto(hierarchy)))
     }
 
     /// The solution of the coarsest level's own problem, if full multigrid needs it:
@@ -67,36 +101,12 @@ impl Solve {
         assemble: impl FnOnce() -> Result<(Csr<E>, Vec<E::Nodal>), Error>,
     ) -> Result<Option<Vec<E::Nodal>>, Error> {
         let homogeneous = levels.iter().all(LevelUnknowns::is_homogeneous);
-        if homogeneous || self.full_transfer().is_none() {
+        if homogeneous || self.cycle() != Cycle::Full {
             return Ok(None);
         }
         let (matrix, rhs) = assemble()?;
         let mut direct = Multigrid::new(&matrix, Vec::new(), &self.multigrid_options())?;
         conjugate_gradients(&matrix, &rhs, &mut direct, &SolveOptions::default())
             .map(|(x, _)| Some(x))
-    }
-
-    /// One pass of full multigrid with one cycle a level, if the keys ask for it.
-    pub(super) fn full_pass<E: Entry<Real = f64>>(
-        &self,
-        hierarchy: &Hierarchy,
-        Discrete { matrix, rhs, levels, coarsest, .. }: &Discrete<E>,
-        multigrid: &mut Multigrid<E>,
-    ) -> Result<Option<Vec<E::Nodal>>, Error> {
-        let Some(transfer) = self.full_transfer() else { return Ok(None) };
-        let matrices = transfer.matrices(hierarchy);
-        let pairs = matrices.iter().zip(levels.windows(2)).rev();
-        let transfers = pairs
-            .map(|(matrix, pair)| restrict_to_free(matrix, &pair[1].dofs, &pair[0].dofs))
-            .collect::<Result<Vec<_>, _>>()?;
-        let Some(coarsest) = coarsest else {
-            return multigrid.full_multigrid(rhs, &transfers, 1).map(Some);
-        };
-        let lift = smooth_lift(coarsest, &matrices, levels)?;
-        let mut rest = rhs.clone();
-        kernels::residual(matrix, &lift, rhs, &mut rest);
-        let mut x = multigrid.full_multigrid(&rest, &transfers, 1)?;
-        x.iter_mut().zip(&lift).for_each(|(x, lift)| *x = x.plus(*lift));
-        Ok(Some(x))
     }
 }

@@ -7,6 +7,7 @@ use octruss_solver::{
 };
 use serde::Serialize;
 
+use super::full::FullTransfer;
 use super::solve::Solve;
 use crate::recipe::Choice;
 
@@ -108,10 +109,11 @@ impl Solve {
         }
     }
 
-    /// What `multigrid` is used as.
+    /// What `multigrid` is used as, and how its full pass transferred if it had one.
     pub(super) fn method_figures<E: Entry<Real = f64>>(
         &self,
         multigrid: &Multigrid<E>,
+        full_transfer: Option<FullTransfer>,
     ) -> MethodFigures {
         let MultigridOptions { smoother, before, after, precision, .. } = *multigrid.options();
         let method = match self.method() {
@@ -125,7 +127,7 @@ impl Solve {
         MethodFigures {
             method,
             cycle: self.cycle().name(),
-            full_transfer: self.full_transfer().map(Choice::name),
+            full_transfer: full_transfer.map(Choice::name),
             smoother: smoother.name(),
             smoothing_degree,
             sweeps: [before, after],

@@ -151,7 +151,10 @@ pub fn solve_with<E: Entry<Real = f64>>(
     let mut multigrid = Multigrid::with_transfers(matrix, transfers, projectors, &cycle)?;
     let setup_seconds = start.elapsed().as_secs_f64();
     let start = Instant::now();
-    let full_pass = options.full_pass(hierarchy, discrete, &mut multigrid)?;
+    let transfer = options.full_transfer(hierarchy);
+    let full_pass = transfer
+        .map(|transfer| transfer.full_pass(hierarchy, discrete, &mut multigrid))
+        .transpose()?;
     let pass_seconds = start.elapsed().as_secs_f64();
     let tell = |iteration: usize, residual: f64| {
         context
@@ -178,7 +181,7 @@ pub fn solve_with<E: Entry<Real = f64>>(
         affine_correction: options.affine_correction.0.name(),
         interface_rows: options.interface_rows.0.name(),
         coarse_operator: options.coarse_operator.0.name(),
-        method: options.method_figures(&multigrid),
+        method: options.method_figures(&multigrid, transfer),
         unknowns: discrete.unknowns(),
         levels: multigrid.levels().len(),
         nonzeros: multigrid.levels()[0].nonzeros,

@@ -78,7 +78,8 @@ pub struct Solve {
     pub method: Auto<Method>,
     /// The shape of the cycle; `auto` is V.
     pub cycle: Auto<Cycle>,
-    /// How full multigrid brings solutions to finer levels; `auto` is quadratic.
+    /// How full multigrid brings solutions to finer levels; `auto` is the scheme
+    /// that refined them, if that is smooth, else quadratic.
     pub full_transfer: Auto<FullTransfer>,
     /// What a smoothing sweep is; `auto` is Chebyshev.
     pub smoother: Auto<Smoother>,

@@ -71,6 +71,21 @@ pub fn assemble(mesh: &TetMesh, topology: &Topology, problem: &Poisson) -> Resul
     Ok(System { matrix, rhs, dofs })
 }
 
+/// The stiffness matrix for k = 1 between all vertices of tets, none of them fixed,
+/// and their numbering.
+pub(crate) fn whole_stiffness(
+    mesh: &TetMesh,
+    topology: &Topology,
+) -> Result<(Csr<f64>, Dofs), Error> {
+    check_size("tets of the topology", topology.tet_edges().len(), mesh.tets().len())?;
+    let dofs = Dofs::new(mesh, &[])?;
+    let scatter = Scatter::new(topology.tet_edges(), topology.edges().len());
+    let couplings = edge_couplings(mesh, &scatter, &Poisson::default())?;
+    let incidence = (topology.edges(), &VertexEdges::new(topology));
+    let matrix = stiffness_matrix(&dofs, incidence, couplings.as_flattened(), &[]);
+    Ok((matrix, dofs))
+}
+
 /// ∫ k ∇φa · ∇φb for each edge ab.
 fn edge_couplings(
     mesh: &TetMesh,

@@ -89,8 +89,6 @@ pub(super) struct Level<'a, E: Entry> {
     pub geometry: Geometry,
     pub hierarchy: &'a Hierarchy,
     pub discrete: &'a Discrete<E>,
-    /// The time to assemble the coarse matrices.
-    pub reassembly_seconds: f64,
     pub repeats: usize,
 }
 
@@ -159,14 +157,14 @@ impl<E: Entry<Real = f64>> Level<'_, E> {
         options: &Solve,
         cycle: &MultigridOptions,
     ) -> Result<(Multigrid<E>, Vec<TransferFigures>, f64), Error> {
-        let Discrete { matrix, levels, coarse_matrices, .. } = self.discrete;
+        let Discrete { matrix, levels, coarse_matrices, coarse_seconds, .. } = self.discrete;
         let start = Instant::now();
         let which = options.transfer_options(options.prolongation[0]);
         let (mut transfers, figures) = transfers(&which, self.hierarchy, levels)?;
         let mut seconds = 0.0;
         if options.reassembles() {
             reassemble(&mut transfers, coarse_matrices);
-            seconds += self.reassembly_seconds;
+            seconds += coarse_seconds;
         }
         let projectors = self.discrete.projectors();
         let multigrid = Multigrid::with_transfers(matrix, transfers, projectors, cycle)?;

@@ -17,9 +17,7 @@ use crate::progress::{Listener, News, Progress};
 use crate::recipe::{Choice, Named, Prolongation, Recipe};
 use crate::run::run_stages;
 use crate::stages::multigrid::Discrete;
-use crate::stages::{
-    CoarseOperator, Context, Problem, Solve, Stage, Subdivide, elasticity, poisson,
-};
+use crate::stages::{Context, Problem, Solve, Stage, Subdivide, biharmonic, elasticity, poisson};
 
 /// Compares what a config's table `[compare]` lists, on the problem of its first stage
 /// `solve` and the levels of its first stage `subdivide`; stages between and after
@@ -151,23 +149,14 @@ impl<'a> Study<'a> {
         context.progress.tell(News::Started);
         let start = Instant::now();
         let variants = self.plan.variants(self.solve);
-        let mut problem = discretise(self.solve, hierarchy, &context)?;
-        let mut reassembly_seconds = 0.0;
-        if variants.iter().any(Solve::reassembles) {
-            let start = Instant::now();
-            let coarse_operator = Named(CoarseOperator::Reassembled);
-            let solve = Solve { coarse_operator, ..self.solve.clone() };
-            let with_coarse = discretise(&solve, hierarchy, &context)?;
-            reassembly_seconds = start.elapsed().as_secs_f64();
-            problem.coarse_matrices = with_coarse.coarse_matrices;
-        }
+        let reassembling = variants.iter().find(|variant| variant.reassembles());
+        let problem = discretise(reassembling.unwrap_or(self.solve), hierarchy, &context)?;
         let level = Level {
             problem: self.solve.problem.name(),
             body: &self.body,
             geometry,
             hierarchy,
             discrete: &problem,
-            reassembly_seconds,
             repeats: self.plan.repeats(),
         };
         let mut rows = Vec::new();

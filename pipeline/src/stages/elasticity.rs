@@ -1,5 +1,7 @@
 //! An elastic body from the names that a config uses, and its deformation.
 
+use std::time::Instant;
+
 use octruss_mesh::{Hierarchy, RawMesh};
 use octruss_solver::{
     ByRegion, Constraints, Elasticity, Error as SolverError, Held, Material, Stiffness, Support,
@@ -27,7 +29,10 @@ pub(super) fn solve(
 ) -> Result<Outcome, Error> {
     let problem = problem(options, hierarchy.finest().raw(), context)?;
     let (Assembled { discrete, constraints }, assembly_seconds) =
-        assembled(options, context, || assemble_levels(options, hierarchy, &problem))?;
+        assembled(options, context, || {
+            assemble_levels(options, hierarchy, &problem)
+                .map_err(|source| context.solver("assembly", source))
+        })?;
     let expand = |x: &[[f64; 3]]| {
         let mut displacement = constraints.expand(x)?;
         let length = |u: &[f64; 3]| u.iter().map(|u| u * u).sum::<f64>().sqrt();
@@ -79,19 +84,21 @@ fn assemble_levels(
     let system_of = |level: usize| {
         assemble_elasticity(&hierarchy.meshes[level], &hierarchy.topologies[level], problem)
     };
-    let (mut levels, mut coarse_matrices) = (Vec::new(), Vec::new());
+    let (mut levels, mut coarse_matrices, mut coarse_seconds) = (Vec::new(), Vec::new(), 0.0);
     for level in 0..finest {
         let (mesh, topology) = (&hierarchy.meshes[level], &hierarchy.topologies[level]);
         levels.push((&Constraints::new(mesh, topology, &problem.supports)?).into());
         if options.reassembles() {
+            let start = Instant::now();
             coarse_matrices.push(system_of(level)?.matrix);
+            coarse_seconds += start.elapsed().as_secs_f64();
         }
     }
     let VectorSystem { matrix, rhs, constraints } = system_of(finest)?;
     levels.push((&constraints).into());
     let coarsest = options
         .coarsest_solution(&levels, || system_of(0).map(|system| (system.matrix, system.rhs)))?;
-    let discrete = Discrete { matrix, rhs, levels, coarse_matrices, coarsest };
+    let discrete = Discrete { matrix, rhs, levels, coarse_matrices, coarse_seconds, coarsest };
     Ok(Assembled { discrete, constraints })
 }
 

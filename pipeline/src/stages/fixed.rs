@@ -6,7 +6,7 @@ use toml::Spanned;
 use super::solve::Problem;
 use crate::recipe::{Value, ValueOrVector};
 
-/// What is prescribed on a named surface: of Poisson's problem `value`; of
+/// What is prescribed on a named surface: of scalar problems `value`; of
 /// elasticity the displacement, as `value` wholly, as `x`, `y` and `z` by
 /// components, or as `normal`, the outward component alone.
 #[derive(Debug, Clone, PartialEq, Deserialize)]
@@ -33,7 +33,7 @@ impl Fixed {
         let by_component = [&self.x, &self.y, &self.z].into_iter().any(Option::is_some);
         let ways = [self.value.is_some(), by_component, self.normal.is_some()];
         match problem {
-            Problem::Poisson => {
+            Problem::Poisson | Problem::Biharmonic => {
                 let good = matches!(self.value, Some(ValueOrVector::One(_)));
                 (!good || ways != [true, false, false]).then(|| {
                     "an entry of `fixed` gives one `value`: x, y, z, normal and lists of three \

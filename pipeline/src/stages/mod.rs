@@ -2,6 +2,7 @@
 //! it reports.
 
 mod account;
+pub(crate) mod biharmonic;
 mod body;
 mod carried_fields;
 mod check;
@@ -16,6 +17,7 @@ mod method;
 pub(crate) mod multigrid;
 mod on_surface;
 pub(crate) mod poisson;
+mod scalar;
 mod solve;
 mod stale;
 mod subdivide;

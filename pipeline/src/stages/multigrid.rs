@@ -93,6 +93,8 @@ pub struct Discrete<E: Entry> {
     pub levels: Vec<LevelUnknowns<E>>,
     /// The matrices assembled on the coarse levels, coarsest first, where asked for.
     pub coarse_matrices: Vec<Csr<E>>,
+    /// The time that assembling them took.
+    pub coarse_seconds: f64,
     /// The solution of the coarsest level's own problem, where full multigrid needs
     /// one.
     pub coarsest: Option<Vec<E::Nodal>>,

@@ -18,7 +18,7 @@ use super::multigrid::{Discrete, SolveFigures, solve_with};
 use super::on_surface::{OnSurface, Robin, Springs, VectorOnSurface};
 use super::transfers::{CoarseOperator, TransferOptions};
 use super::unfinished::keep;
-use super::{Context, elasticity, poisson};
+use super::{Context, biharmonic, elasticity, poisson, scalar};
 use crate::amount::short;
 use crate::error::Error;
 use crate::recipe::{
@@ -43,7 +43,7 @@ pub struct Solve {
     pub fixed: Vec<Spanned<Fixed>>,
     /// Poisson: k > 0, one value or one a region; 1 where none is given.
     pub coefficient: PerRegion,
-    /// Poisson: f per unit of volume, one value or one a region; 0 where none is given.
+    /// Poisson, biharmonic: f per unit of volume, one value or one a region; 0 where none is given.
     pub source: PerRegion,
     /// Poisson: k ∂u/∂n on surfaces, n outward: what flows in per unit of area.
     pub flux: Vec<OnSurface>,
@@ -99,6 +99,8 @@ pub struct Solve {
 pub enum Problem {
     /// −div(k grad u) = f.
     Poisson,
+    /// Δ²u = f, in mixed form.
+    Biharmonic,
     /// −div σ(u) = f, linear and isotropic.
     Elasticity,
 }
@@ -167,7 +169,8 @@ impl Solve {
         let hierarchy = state.hierarchy.as_ref().ok_or_else(|| context.order("check"))?;
         self.check_prolongations(context)?;
         let outcome = match self.problem {
-            Problem::Poisson => poisson::solve(self, hierarchy, context)?,
+            Problem::Poisson => scalar::solve(self, hierarchy, poisson::discretise, context)?,
+            Problem::Biharmonic => scalar::solve(self, hierarchy, biharmonic::discretise, context)?,
             Problem::Elasticity => elasticity::solve(self, hierarchy, context)?,
         };
         let Outcome { solves, assembly_seconds, body, point_fields, cell_fields } = outcome;
@@ -225,12 +228,12 @@ fn add_fields(all: &mut Vec<Field>, new: Vec<Field>, number: &str) {
 pub(super) fn assembled<E: Entry, T: AsRef<Discrete<E>>>(
     options: &Solve,
     context: &Context,
-    assemble: impl FnOnce() -> Result<T, SolverError>,
+    assemble: impl FnOnce() -> Result<T, Error>,
 ) -> Result<(T, f64), Error> {
     let start = Instant::now();
     let steps = options.prolongation.len() + 1;
     let assembled = context.progress.step(1, steps, "assembly", || {
-        let assembled = assemble().map_err(|source| context.solver("assembly", source))?;
+        let assembled = assemble()?;
         let unknowns = format!("{} unknowns", short(assembled.as_ref().unknowns()));
         Ok::<_, Error>((assembled, unknowns))
     })?;
@@ -280,8 +283,9 @@ fn of_rows<V: Nodal<Real = f64>>(numbers: &[f64]) -> Vec<V> {
 
 impl Problem {
     /// The keys of one problem alone.
-    const OWN_KEYS: [(Self, &'static [&'static str]); 2] = [
+    const OWN_KEYS: [(Self, &'static [&'static str]); 3] = [
         (Self::Poisson, &["coefficient", "source", "flux", "robin"]),
+        (Self::Biharmonic, &["source"]),
         (
             Self::Elasticity,
             &["material", "body-force", "gravity", "traction", "pressure", "springs"],
@@ -292,6 +296,7 @@ impl Problem {
     pub fn name(self) -> &'static str {
         match self {
             Self::Poisson => "poisson",
+            Self::Biharmonic => "biharmonic",
             Self::Elasticity => "elasticity",
         }
     }
@@ -299,7 +304,7 @@ impl Problem {
     /// Its solution at vertices, from the numbers one after the other.
     fn field_of(self, numbers: &[f64]) -> Field {
         match self {
-            Self::Poisson => Field::scalar("solution", numbers.to_vec()),
+            Self::Poisson | Self::Biharmonic => Field::scalar("solution", numbers.to_vec()),
             Self::Elasticity => Field::new("displacement", 3, Values::Float(numbers.to_vec())),
         }
     }

@@ -1,0 +1,107 @@
+//! Δ²u = f in mixed form: w = −Δu at vertices from the lumped mass, so the operator is
+//! S M⁻¹ S.
+//!
+//! S is the P1 stiffness matrix over *all* vertices and M the lumped mass matrix, a
+//! quarter of the volume of the tets at a vertex. The rows of vertices on the boundary
+//! take part, and no boundary term is added: weakly ∂u/∂n = 0 on all of the boundary.
+//! So a surface with prescribed values is *clamped*, u = g and ∂u/∂n = 0; a *free* one
+//! has ∂u/∂n = 0 and ∂(Δu)/∂n = 0. Good for fairing fields and morphing; a plate that is
+//! free in the sense of mechanics has other conditions.
+
+use crate::assemble::{System, whole_stiffness};
+use crate::by_region::ByRegion;
+use crate::chunks::for_chunks;
+use crate::csr::Csr;
+use crate::dofs::Dofs;
+use crate::error::{Error, check_finite};
+use crate::multiply::multiply;
+use crate::poisson_load::{blame_load, load_vector};
+use crate::problem::Poisson;
+use crate::rows::build_rows;
+use crate::scalar::Scalar;
+use crate::transpose::transpose;
+use octruss_mesh::{TetMesh, Topology};
+
+/// Δ²u = f with u prescribed on surfaces.
+#[derive(Debug, Clone)]
+pub struct Biharmonic {
+    /// f, per unit of volume.
+    pub source: ByRegion,
+    /// u on surfaces, which are clamped: ∂u/∂n = 0. A vertex on two of them takes the
+    /// value of the last listed.
+    pub fixed: Vec<(i32, Scalar)>,
+}
+
+/// Assembles Δ²u = f for the free vertices of a mesh: S M⁻¹ S without the rows and
+/// columns of fixed vertices, symmetric to the last bit.
+///
+/// # Errors
+/// As [`assemble`](crate::assemble()) for sources and prescribed values.
+pub fn assemble_biharmonic(
+    mesh: &TetMesh,
+    topology: &Topology,
+    problem: &Biharmonic,
+) -> Result<System, Error> {
+    let dofs = Dofs::new(mesh, &problem.fixed)?;
+    dofs.check_anchored(mesh, |_| false)?;
+    let (stiffness, all) = whole_stiffness(mesh, topology)?;
+    // Rows over the root of the mass: products of both orders then round alike.
+    let roots: Vec<f64> = vertex_volumes(mesh).iter().map(|volume| volume.sqrt()).collect();
+    let scaled = |row: u32| 1.0 / roots[all.free()[row as usize] as usize];
+    let rows = free_rows(&stiffness, &all, &dofs, scaled);
+    let matrix = multiply(&rows, &transpose(&rows));
+    let as_poisson = Poisson { source: problem.source.clone(), ..Poisson::default() };
+    let load = load_vector(mesh, topology, &as_poisson)?;
+    let mut rhs: Vec<f64> = dofs.free().iter().map(|&vertex| load[vertex as usize]).collect();
+    if !dofs.is_homogeneous() {
+        let mut image: Vec<f64> = vec![0.0; all.unknowns()];
+        let values: Vec<f64> = all.free().iter().map(|&vertex| dofs.value(vertex)).collect();
+        crate::kernels::product(&stiffness, &values, &mut image);
+        for_chunks(&mut image, |first, chunk| {
+            let scales = (first as u32..).map(scaled);
+            chunk.iter_mut().zip(scales).for_each(|(value, scale)| *value *= scale);
+        });
+        let mut lifted = vec![0.0; rhs.len()];
+        crate::kernels::product(&rows, &image, &mut lifted);
+        rhs.iter_mut().zip(&lifted).for_each(|(rhs, lifted)| *rhs -= lifted);
+    }
+    check_finite("biharmonic matrix", matrix.values())?;
+    if let Err(error) = check_finite("load vector", &rhs) {
+        return Err(blame_load(mesh, &as_poisson).err().unwrap_or(error));
+    }
+    Ok(System { matrix, rhs, dofs })
+}
+
+/// The rows of free vertices, each column scaled.
+fn free_rows(
+    stiffness: &Csr<f64>,
+    all: &Dofs,
+    dofs: &Dofs,
+    scaled: impl Fn(u32) -> f64 + Sync,
+) -> Csr<f64> {
+    let row_of = |row: usize| {
+        let vertex = dofs.free()[row];
+        stiffness.row(all.unknown(vertex).expect("all vertices of tets are there") as usize)
+    };
+    build_rows(
+        (dofs.unknowns(), stiffness.columns()),
+        |row| row_of(row).0.len(),
+        |row, indices, values| {
+            let (columns, entries) = row_of(row);
+            indices.copy_from_slice(columns);
+            let entries =
+                columns.iter().zip(entries).map(|(&column, entry)| entry * scaled(column));
+            values.iter_mut().zip(entries).for_each(|(value, entry)| *value = entry);
+        },
+    )
+}
+
+/// A quarter of the volume of the tets at each vertex.
+fn vertex_volumes(mesh: &TetMesh) -> Vec<f64> {
+    let mut volumes = vec![0.0; mesh.points().len()];
+    for (t, tet) in mesh.tets().iter().enumerate() {
+        let share = 0.25 * mesh.volume(t);
+        tet.iter().for_each(|&vertex| volumes[vertex as usize] += share);
+    }
+    volumes
+}

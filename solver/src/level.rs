@@ -1,5 +1,6 @@
 //! One smoothed level of the multigrid: plain data and the steps of the cycle.
 
+use crate::colouring::Colouring;
 use crate::csr::Csr;
 use crate::diagonal::Diagonal;
 use crate::entry::Entry;
@@ -7,7 +8,10 @@ use crate::gauss_seidel::Order;
 use crate::kernels::{add_product, product, residual};
 use crate::options::MultigridOptions;
 use crate::projectors::{Projectors, project};
+use crate::real::Real;
 use crate::smoothing::Smoothing;
+use crate::transpose::transpose;
+use octruss_mesh::large_array::zeroed;
 
 /// A matrix, its smoother, the transfer to the next coarser level and the work
 /// vectors of both, allocated once.
@@ -27,28 +31,55 @@ pub(crate) struct Level<E: Entry> {
     pub(crate) coarse_x: Vec<E::Nodal>,
 }
 
+/// What a level keeps when the numbers of its matrix change.
+pub(crate) struct Transfer<T> {
+    pub(crate) prolongation: Csr<T>,
+    pub(crate) restriction: Csr<T>,
+    /// The colours of the rows, if known.
+    colouring: Option<Colouring>,
+}
+
+impl<T: Real> Transfer<T> {
+    /// From a prolongation, rounded to the precision of a cycle.
+    pub(crate) fn new(prolongation: &Csr<f64>) -> Self {
+        let prolongation = prolongation.cast();
+        Self { restriction: transpose(&prolongation), prolongation, colouring: None }
+    }
+}
+
 impl<E: Entry> Level<E> {
     /// A level of `scale` times a matrix in double precision.
     pub(crate) fn new<D: Entry<Real = f64>>(
         (matrix, diagonal, scale): (&Csr<D>, Diagonal<D>, f64),
-        (prolongation, restriction): (&Csr<f64>, &Csr<f64>),
+        Transfer { prolongation, restriction, colouring }: Transfer<E::Real>,
         [fine, coarse]: [&Projectors<D>; 2],
         options: &MultigridOptions,
     ) -> Self {
         let rounded = matrix.cast_scaled(scale);
         Self {
-            smoothing: Smoothing::new((matrix, diagonal, fine), (&rounded, scale), options),
+            smoothing: Smoothing::new(
+                (matrix, diagonal, fine),
+                (&rounded, scale),
+                options,
+                colouring,
+            ),
             matrix: rounded,
             before: options.before,
             after: options.after,
-            prolongation: prolongation.cast(),
-            restriction: restriction.cast(),
             projectors: fine.cast(),
             coarse_projectors: coarse.cast(),
-            residual: vec![E::Nodal::default(); matrix.rows()],
-            coarse_rhs: vec![E::Nodal::default(); prolongation.columns()],
-            coarse_x: vec![E::Nodal::default(); prolongation.columns()],
+            residual: zeroed(matrix.rows()),
+            coarse_rhs: zeroed(prolongation.columns()),
+            coarse_x: zeroed(prolongation.columns()),
+            prolongation,
+            restriction,
         }
+    }
+
+    /// What another matrix with the same pattern can use.
+    pub(crate) fn into_transfer(self) -> Transfer<E::Real> {
+        let Self { prolongation, restriction, smoothing, .. } = self;
+        Transfer { prolongation, restriction, colouring: smoothing.into_colouring() }
     }
 
     /// The sweeps before the correction; with `from_zero` what they make of zero,

@@ -19,14 +19,14 @@ pub fn multiply(a: &Csr<f64>, b: &Csr<f64>) -> Csr<f64> {
             let (a_indices, a_values) = a.row(i);
             for (&k, &weight) in a_indices.iter().zip(a_values) {
                 let (columns, b_values) = b.row(k as usize);
-                for (&j, &v) in columns.iter().zip(b_values) {
-                    *row.at(j) += weight * v;
-                }
+                row.add(columns.iter().zip(b_values).map(|(&j, &v)| (j, weight, v)));
             }
-            row.touched.sort_unstable();
-            lengths.push(row.touched.len());
-            indices.extend_from_slice(&row.touched);
-            values.extend(row.touched.iter().map(|&j| row.sum(j)));
+            row.sort();
+            lengths.push(row.count());
+            for (j, sum) in row.drain() {
+                indices.push(j);
+                values.push(sum);
+            }
         }
         (lengths, indices, values)
     });

@@ -26,7 +26,7 @@ pub(crate) fn offsets(rows: usize, count: impl Fn(usize) -> usize + Sync) -> Vec
 }
 
 /// Arrays that are cut at the same places: one, or several side by side.
-pub(crate) trait Cut: Send + Sized {
+pub trait Cut: Send + Sized {
     /// The first `count` entries of each, and the rest.
     fn cut(self, count: usize) -> (Self, Self);
 }
@@ -34,6 +34,13 @@ pub(crate) trait Cut: Send + Sized {
 impl<T: Send> Cut for &mut [T] {
     fn cut(self, count: usize) -> (Self, Self) {
         self.split_at_mut(count)
+    }
+}
+
+impl<A: Cut, B: Cut> Cut for (A, B) {
+    fn cut(self, count: usize) -> (Self, Self) {
+        let ((a, a_rest), (b, b_rest)) = (self.0.cut(count), self.1.cut(count));
+        ((a, b), (a_rest, b_rest))
     }
 }
 

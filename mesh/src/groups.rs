@@ -13,7 +13,7 @@ use crate::large_array::zeroed;
 
 /// Entries grouped by key.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub(crate) struct Groups<E> {
+pub struct Groups<E> {
     offsets: Vec<u32>,
     entries: Vec<E>,
 }

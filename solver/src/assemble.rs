@@ -8,13 +8,12 @@
 use crate::chunks::for_chunks;
 use crate::csr::Csr;
 use crate::dofs::Dofs;
+use crate::edge_rows::{Neighbours, edge_rows};
 use crate::element::{centroid, edge_stiffness};
 use crate::error::{Error, check_finite, check_size};
 use crate::poisson_load::{add_robin, blame_load, load_vector};
 use crate::problem::Poisson;
-use crate::rows::build_rows;
-use crate::scatter::Scatter;
-use octruss_mesh::topology::VertexEdges;
+use crate::scatter::{Scatter, Sums};
 use octruss_mesh::{TetMesh, Topology};
 use std::sync::atomic::{AtomicUsize, Ordering::Relaxed};
 
@@ -59,11 +58,19 @@ pub fn assemble(mesh: &TetMesh, topology: &Topology, problem: &Poisson) -> Resul
     let mut couplings = edge_couplings(mesh, &scatter, problem)?;
     let row_sums = add_robin(mesh, topology, &problem.robin, &mut couplings)?;
     dofs.check_anchored(mesh, |vertex| row_sums.get(vertex).is_some_and(|[sum]| *sum > 0.0))?;
-    let (couplings, row_sums) = (couplings.as_flattened(), row_sums.as_flattened());
-    let at_vertices = VertexEdges::new(topology);
-    let incidence = (edges, &at_vertices);
-    let matrix = stiffness_matrix(&dofs, incidence, couplings, row_sums);
-    let rhs = lifted_load(&dofs, incidence, couplings, &load_vector(mesh, topology, problem)?);
+    let neighbours = Neighbours::new(topology);
+    // The diagonal is the sum of the row, 0 where `row_sums` is empty, minus all
+    // couplings.
+    let row_sum = |vertex: u32| row_sums.get(vertex as usize).map_or(0.0, |[sum]| *sum);
+    let matrix = edge_rows(
+        &dofs,
+        &neighbours,
+        |edge, _| couplings.at(edge)[0],
+        |_, _, coupling| coupling,
+        |vertex, sum| row_sum(vertex) - sum,
+    );
+    let load = load_vector(mesh, topology, problem)?;
+    let rhs = lifted_load(&dofs, &neighbours, &couplings, &load);
     check_finite("stiffness matrix", matrix.values())?;
     if let Err(error) = check_finite("load vector", &rhs) {
         return Err(blame_load(mesh, problem).err().unwrap_or(error));
@@ -81,17 +88,22 @@ pub(crate) fn whole_stiffness(
     let dofs = Dofs::new(mesh, &[])?;
     let scatter = Scatter::new(topology.tet_edges(), topology.edges().len());
     let couplings = edge_couplings(mesh, &scatter, &Poisson::default())?;
-    let incidence = (topology.edges(), &VertexEdges::new(topology));
-    let matrix = stiffness_matrix(&dofs, incidence, couplings.as_flattened(), &[]);
+    let matrix = edge_rows(
+        &dofs,
+        &Neighbours::new(topology),
+        |edge, _| couplings.at(edge)[0],
+        |_, _, coupling| coupling,
+        |_, sum| -sum,
+    );
     Ok((matrix, dofs))
 }
 
 /// ∫ k ∇φa · ∇φb for each edge ab.
-fn edge_couplings(
+fn edge_couplings<'s>(
     mesh: &TetMesh,
-    scatter: &Scatter<6>,
+    scatter: &'s Scatter<6>,
     problem: &Poisson,
-) -> Result<Vec<[f64; 1]>, Error> {
+) -> Result<Sums<'s, 1>, Error> {
     let coefficient = |tet: usize| {
         let k = problem.coefficient.of(mesh.regions()[tet]);
         k.at(centroid(mesh.corners(tet)))
@@ -114,47 +126,11 @@ fn edge_couplings(
     }
 }
 
-/// The row of each unknown: couplings with free neighbours, and the diagonal:
-/// the sum of the row, 0 where `row_sums` is empty, minus all couplings.
-fn stiffness_matrix(
-    dofs: &Dofs,
-    (edges, at_vertices): (&[[u32; 2]], &VertexEdges),
-    couplings: &[f64],
-    row_sums: &[f64],
-) -> Csr<f64> {
-    let neighbours = |vertex: u32| {
-        let at_vertex = at_vertices.of(vertex as usize).iter();
-        at_vertex.map(move |&e| (other_end(edges[e as usize], vertex), couplings[e as usize]))
-    };
-    build_rows(
-        (dofs.unknowns(), dofs.unknowns()),
-        |row| {
-            let all = neighbours(dofs.free()[row]);
-            1 + all.filter(|(other, _)| dofs.unknown(*other).is_some()).count()
-        },
-        |row, indices, values| {
-            let vertex = dofs.free()[row];
-            let row_sum = row_sums.get(vertex as usize).unwrap_or(&0.0);
-            let diagonal = row_sum - neighbours(vertex).map(|(_, coupling)| coupling).sum::<f64>();
-            let free = neighbours(vertex)
-                .filter_map(|(other, coupling)| dofs.unknown(other).map(|j| (j, coupling)));
-            // Other ends ascend; the row itself goes before the first larger one.
-            let row = row as u32;
-            let lower = free.clone().take_while(|(j, _)| *j < row);
-            let upper = free.skip_while(|(j, _)| *j < row);
-            let entries = lower.chain([(row, diagonal)]).chain(upper);
-            for (entry, (index, value)) in entries.zip(indices.iter_mut().zip(values)) {
-                (*index, *value) = entry;
-            }
-        },
-    )
-}
-
 /// The load of each unknown minus the couplings with prescribed values.
 fn lifted_load(
     dofs: &Dofs,
-    (edges, at_vertices): (&[[u32; 2]], &VertexEdges),
-    couplings: &[f64],
+    neighbours: &Neighbours,
+    couplings: &Sums<1>,
     load: &[f64],
 ) -> Vec<f64> {
     let mut rhs: Vec<f64> = dofs.free().iter().map(|&vertex| load[vertex as usize]).collect();
@@ -163,16 +139,11 @@ fn lifted_load(
     }
     for_chunks(&mut rhs, |first, chunk| {
         for (rhs, &vertex) in chunk.iter_mut().zip(&dofs.free()[first..]) {
-            for &e in at_vertices.of(vertex as usize) {
+            for (edge, other) in neighbours.of(vertex) {
                 // The value of a free neighbour is stored as 0.
-                let value = dofs.value(other_end(edges[e as usize], vertex));
-                *rhs -= couplings[e as usize] * value;
+                *rhs -= couplings.at(edge)[0] * dofs.value(other);
             }
         }
     });
     rhs
-}
-
-fn other_end([a, b]: [u32; 2], vertex: u32) -> u32 {
-    if a == vertex { b } else { a }
 }

@@ -8,6 +8,7 @@
 use crate::chunks::map_chunks;
 use crate::constraints::{ByVertex, Constraints};
 use crate::csr::Csr;
+use crate::edge_rows::{Neighbours, edge_rows};
 use crate::elasticity::{Elasticity, Material};
 use crate::elasticity_load::{add_springs, blame_load, load_vector, spring_directions};
 use crate::element::{centroid, edge_elasticity};
@@ -15,10 +16,8 @@ use crate::error::{Error, check_finite, check_size};
 use crate::held_vertex::{HeldVertex, projected_diagonal};
 use crate::matrix3::{Matrix3, Vector3, ZERO, add3, apply, multiply3, scale, subtract, transpose3};
 use crate::rigid_modes::check_rigid_modes;
-use crate::rows::build_rows;
-use crate::scatter::Scatter;
+use crate::scatter::{Scatter, Sums};
 use octruss_mesh::reference_tet::EDGES;
-use octruss_mesh::topology::VertexEdges;
 use octruss_mesh::{TetMesh, Topology};
 use std::sync::atomic::{AtomicUsize, Ordering::Relaxed};
 
@@ -64,11 +63,12 @@ pub fn assemble_elasticity(
     let springs = spring_directions(mesh, topology, problem)?;
     check_rigid_modes(mesh, &constraints, &springs)?;
 
-    let mut couplings = edge_couplings(mesh, topology, problem)?;
+    let scatter = Scatter::new(topology.tet_edges(), topology.edges().len());
+    let mut couplings = edge_couplings(mesh, &scatter, problem)?;
     let row_sums = add_springs(mesh, topology, problem, &mut couplings)?;
     let load = load_vector(mesh, topology, problem)?;
-    let at_vertices = VertexEdges::new(topology);
-    let stiffness = Stiffness { edges: topology.edges(), at_vertices, couplings, row_sums };
+    let neighbours = Neighbours::new(topology);
+    let stiffness = Stiffness { neighbours, couplings, row_sums };
     let by_vertex = constraints.by_vertex();
     let matrix = stiffness.projected_matrix(&constraints, &by_vertex);
     let rhs = stiffness.projected_load(&constraints, &by_vertex, &load);
@@ -88,14 +88,13 @@ pub(crate) fn lame(material: &Material, centroid: Vector3) -> [f64; 2] {
 }
 
 /// The block (a, b) of each edge a < b, row by row.
-fn edge_couplings(
+fn edge_couplings<'s>(
     mesh: &TetMesh,
-    topology: &Topology,
+    scatter: &'s Scatter<6>,
     problem: &Elasticity,
-) -> Result<Vec<[f64; 9]>, Error> {
+) -> Result<Sums<'s, 9>, Error> {
     problem.material.check(mesh)?;
     let first_bad = AtomicUsize::new(usize::MAX);
-    let scatter = Scatter::new(topology.tet_edges(), topology.edges().len());
     let couplings = scatter.sum(|tet| {
         let (corners, vertices) = (mesh.corners(tet), mesh.tets()[tet]);
         let material = problem.material.of(mesh.regions()[tet]);
@@ -142,27 +141,18 @@ fn fault(material: &Material, at: Vector3) -> Option<(&'static str, String, &'st
 
 /// The stiffness before anything is held.
 struct Stiffness<'a> {
-    edges: &'a [[u32; 2]],
-    at_vertices: VertexEdges,
-    couplings: Vec<[f64; 9]>,
+    neighbours: Neighbours<'a>,
+    couplings: Sums<'a, 9>,
     /// The sum of each row of blocks; empty where all are zero.
     row_sums: Vec<[f64; 9]>,
 }
 
 impl Stiffness<'_> {
-    /// The edges at a vertex with their other ends.
-    fn neighbours(&self, vertex: u32) -> impl Iterator<Item = (u32, u32)> + Clone {
-        let at_vertex = self.at_vertices.of(vertex as usize).iter();
-        at_vertex.map(move |&edge| {
-            let [a, b] = self.edges[edge as usize];
-            (edge, if a == vertex { b } else { a })
-        })
-    }
-
     /// The block of a vertex and its neighbour along an edge.
+    #[inline]
     fn block(&self, edge: u32, vertex: u32) -> Matrix3 {
-        let block = unflattened(&self.couplings[edge as usize]);
-        if self.edges[edge as usize][0] == vertex { block } else { transpose3(&block) }
+        let block = unflattened(self.couplings.at(edge));
+        if self.neighbours.is_lower(edge, vertex) { block } else { transpose3(&block) }
     }
 
     /// The diagonal block of a vertex from the sum of its other blocks, symmetric
@@ -174,38 +164,19 @@ impl Stiffness<'_> {
     }
 
     fn projected_matrix(&self, constraints: &Constraints, held: &ByVertex) -> Csr<Matrix3> {
-        let dofs = constraints.dofs();
-        build_rows(
-            (dofs.unknowns(), dofs.unknowns()),
-            |row| {
-                let all = self.neighbours(dofs.free()[row]);
-                1 + all.filter(|(_, other)| dofs.unknown(*other).is_some()).count()
+        edge_rows(
+            constraints.dofs(),
+            &self.neighbours,
+            |edge, vertex| self.block(edge, vertex),
+            |vertex, other, block| {
+                projected(&block, held.get(vertex), held.get(other), vertex < other)
             },
-            |row, indices, values| {
-                let vertex = dofs.free()[row];
-                let (mut at, mut own, mut others) = (0, None, ZERO);
-                for (edge, other) in self.neighbours(vertex) {
-                    let block = self.block(edge, vertex);
-                    others = add3(&others, &block);
-                    let Some(column) = dofs.unknown(other) else { continue };
-                    // Other ends ascend; the row itself goes before the first
-                    // larger one.
-                    if own.is_none() && column as usize > row {
-                        own = Some(at);
-                        at += 1;
-                    }
-                    let block =
-                        projected(&block, held.get(vertex), held.get(other), vertex < other);
-                    (indices[at], values[at]) = (column, block);
-                    at += 1;
-                }
+            |vertex, others| {
                 let diagonal = self.diagonal(vertex, &others);
-                let diagonal = held.get(vertex).map_or(diagonal, |held| {
+                held.get(vertex).map_or(diagonal, |held| {
                     let mean = (0..3).map(|k| diagonal[k][k]).sum::<f64>() / 3.0;
                     projected_diagonal(&held.projector, &diagonal, mean)
-                });
-                let own = own.unwrap_or(at);
-                (indices[own], values[own]) = (row as u32, diagonal);
+                })
             },
         )
     }
@@ -224,7 +195,7 @@ impl Stiffness<'_> {
             for (rhs, &vertex) in chunk.iter_mut().zip(&free[first..]) {
                 if lifts {
                     let mut others = ZERO;
-                    for (edge, other) in self.neighbours(vertex) {
+                    for (edge, other) in self.neighbours.of(vertex) {
                         let block = self.block(edge, vertex);
                         others = add3(&others, &block);
                         *rhs = subtract(*rhs, apply(&block, held.value(other)));

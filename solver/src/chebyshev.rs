@@ -10,6 +10,7 @@ use crate::csr::Csr;
 use crate::entry::{Entry, Nodal};
 use crate::kernels::chebyshev_step;
 use crate::real::Real;
+use octruss_mesh::large_array::zeroed;
 
 /// The coefficients of the recurrence d ← keep d + add D⁻¹ r for each step.
 #[derive(Debug, Clone)]
@@ -34,16 +35,15 @@ impl<E: Entry> Chebyshev<E> {
         let round = |(keep, add)| (E::Real::from_f64(keep), E::Real::from_f64(add));
         Self {
             steps: steps.into_iter().map(round).collect(),
-            direction: vec![E::Nodal::default(); unknowns],
-            next: vec![E::Nodal::default(); unknowns],
+            direction: zeroed(unknowns),
+            next: zeroed(unknowns),
         }
     }
 
     /// The single step d = D⁻¹ r: Jacobi's, for a diagonal that needs no damping.
     pub(crate) fn plain(unknowns: usize) -> Self {
-        let zero = vec![E::Nodal::default(); unknowns];
         let step = (E::Real::from_f64(0.0), E::Real::from_f64(1.0));
-        Self { steps: vec![step], direction: zero.clone(), next: zero }
+        Self { steps: vec![step], direction: zeroed(unknowns), next: zeroed(unknowns) }
     }
 
     /// Steps of a sweep.

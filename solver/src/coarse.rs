@@ -37,18 +37,23 @@ pub(crate) struct CoarseSolver {
     correction: Vec<f64>,
 }
 
+/// In which order Cholesky's factorisation eliminates, and where its factor has
+/// entries.
+pub(crate) type Elimination = SymbolicCholesky<u32>;
+
 enum Factor {
-    Cholesky(SymbolicCholesky<u32>, Vec<f64>),
+    Cholesky(Elimination, Vec<f64>),
     Lu(SymbolicLu<u32>, NumericLu<u32, f64>),
 }
 
 impl CoarseSolver {
-    /// Factors a symmetric positive definite matrix.
+    /// Factors a symmetric positive definite matrix. Its elimination order may be
+    /// known from another matrix with the same pattern.
     ///
     /// # Errors
     /// [`Error::CoarsestTooLarge`]; [`Error::CoarsestSingular`] if neither
     /// Cholesky nor LU solves the test system.
-    pub(crate) fn new(matrix: Csr<f64>) -> Result<Self, Error> {
+    pub(crate) fn new(matrix: Csr<f64>, known: Option<Elimination>) -> Result<Self, Error> {
         let unknowns = matrix.rows();
         if unknowns > LARGEST {
             return Err(Error::CoarsestTooLarge { unknowns, limit: LARGEST });
@@ -64,7 +69,8 @@ impl CoarseSolver {
         );
         // Rows of a symmetric matrix are its columns.
         let columns = SparseColMatRef::new(pattern, matrix.values());
-        let cholesky = match cholesky(columns).and_then(|made| Self::tested(&matrix, made)) {
+        let factored = cholesky(columns, known).and_then(|made| Self::tested(&matrix, made));
+        let cholesky = match factored {
             Ok(solver) => return Ok(solver),
             Err(reason) => reason,
         };
@@ -88,6 +94,14 @@ impl CoarseSolver {
             return Err(format!("relative residual {relative:.1e} on a test system"));
         }
         Ok(solver)
+    }
+
+    /// The elimination order, for another matrix; not that of LU, the fallback.
+    pub(crate) fn into_elimination(self) -> Option<Elimination> {
+        match self.factor {
+            Factor::Cholesky(symbolic, _) => Some(symbolic),
+            Factor::Lu(..) => None,
+        }
     }
 
     /// The memory of matrix and factor, in bytes; of an LU factor, whose size
@@ -131,12 +145,14 @@ impl CoarseSolver {
 /// A factor and the workspace that solving with it needs, or what went wrong.
 type Made = Result<(Factor, StackReq), String>;
 
-fn cholesky(matrix: SparseColMatRef<'_, u32, f64>) -> Made {
+fn cholesky(matrix: SparseColMatRef<'_, u32, f64>, known: Option<Elimination>) -> Made {
     let text = |error: &dyn std::fmt::Debug| format!("{error:?}");
     let (side, ordering) = (Side::Lower, Default::default());
-    let symbolic =
-        factorize_symbolic_cholesky(matrix.symbolic(), side, ordering, Default::default())
-            .map_err(|error| text(&error))?;
+    let symbolic = match known {
+        Some(symbolic) => symbolic,
+        None => factorize_symbolic_cholesky(matrix.symbolic(), side, ordering, Default::default())
+            .map_err(|error| text(&error))?,
+    };
     let space = symbolic.factorize_numeric_llt_scratch::<f64>(Par::Seq, Default::default());
     let mut memory = MemBuffer::try_new(space).map_err(|error| text(&error))?;
     let mut values = vec![0.0; symbolic.len_val()];
@@ -185,7 +201,7 @@ mod tests {
         // (−1, 2, −1) x = 1 has the solution x_i = i (n + 1 − i) / 2.
         for n in [0usize, 1, 2, 100, 3000] {
             let mut x = vec![0.0; n];
-            CoarseSolver::new(second_difference(n)).unwrap().solve(&vec![1.0; n], &mut x);
+            CoarseSolver::new(second_difference(n), None).unwrap().solve(&vec![1.0; n], &mut x);
             for (i, x) in x.iter().enumerate() {
                 let exact = (i + 1) as f64 * (n - i) as f64 / 2.0;
                 assert!((x / exact - 1.0).abs() < 1e-12);
@@ -196,15 +212,15 @@ mod tests {
     #[test]
     fn an_indefinite_matrix_falls_back_to_lu_and_a_singular_one_is_refused() {
         let diagonal = |d: [f64; 2]| Csr::new(2, vec![0, 1, 2], vec![0, 1], d.to_vec()).unwrap();
-        let mut solver = CoarseSolver::new(diagonal([2.0, -4.0])).unwrap();
+        let mut solver = CoarseSolver::new(diagonal([2.0, -4.0]), None).unwrap();
         assert!(matches!(solver.factor, Factor::Lu(..)));
         let mut x = [0.0; 2];
         solver.solve(&[1.0, 1.0], &mut x);
         assert_eq!(x, [0.5, -0.25]);
         let ones = Csr::new(2, vec![0, 2, 4], vec![0, 1, 0, 1], vec![1.0; 4]).unwrap();
-        assert!(matches!(CoarseSolver::new(ones), Err(Error::CoarsestSingular { .. })));
+        assert!(matches!(CoarseSolver::new(ones, None), Err(Error::CoarsestSingular { .. })));
         assert!(matches!(
-            CoarseSolver::new(second_difference(LARGEST + 1)),
+            CoarseSolver::new(second_difference(LARGEST + 1), None),
             Err(Error::CoarsestTooLarge { limit: LARGEST, .. })
         ));
     }

@@ -1,10 +1,11 @@
 //! Compressed sparse rows with `u32` columns: the form all hot loops read.
 
+use crate::chunks::for_chunks;
 use crate::entry::Entry;
 use crate::error::Error;
 use crate::pattern::{Pattern, first_fault};
 use nalgebra_sparse::CsrMatrix;
-use rayon::prelude::*;
+use octruss_mesh::large_array::zeroed;
 use std::ops::Range;
 use std::sync::Arc;
 
@@ -54,6 +55,17 @@ impl<E: Copy> Csr<E> {
         debug_assert_eq!(first_fault(columns, &offsets, &indices), None);
         debug_assert_eq!(values.len(), indices.len());
         Self { pattern: Arc::new(Pattern::new(columns, offsets, indices)), values }
+    }
+
+    /// A matrix with a given pattern, which others may share.
+    pub(crate) fn of(pattern: Arc<Pattern>, values: Vec<E>) -> Self {
+        debug_assert_eq!(values.len(), pattern.indices.len());
+        Self { pattern, values }
+    }
+
+    /// Where it has entries.
+    pub(crate) fn pattern(&self) -> &Arc<Pattern> {
+        &self.pattern
     }
 
     /// The number of rows.
@@ -135,8 +147,19 @@ impl<E: Entry> Csr<E> {
 
     /// `scale` times the matrix, every value then rounded to `F`.
     pub(crate) fn cast_scaled<F: Entry>(&self, scale: f64) -> Csr<F> {
-        self.with_values(self.values.par_iter().map(|v| v.cast_scaled(scale)).collect())
+        self.with_values(cast_all(&self.values, scale))
     }
+}
+
+/// `scale` times all values, then rounded to `F`.
+pub(crate) fn cast_all<E: Entry, F: Entry>(values: &[E], scale: f64) -> Vec<F> {
+    let mut all: Vec<F> = zeroed(values.len());
+    for_chunks(&mut all, |first, chunk| {
+        for (rounded, value) in chunk.iter_mut().zip(&values[first..]) {
+            *rounded = value.cast_scaled(scale);
+        }
+    });
+    all
 }
 
 impl TryFrom<&CsrMatrix<f64>> for Csr<f64> {

@@ -1,13 +1,14 @@
 //! The multigrid cycle, in one precision.
 
 use crate::chunks::for_chunks;
-use crate::coarse::CoarseSolver;
+use crate::coarse::{CoarseSolver, Elimination};
 use crate::csr::Csr;
 use crate::dot::largest;
 use crate::entry::{Entry, Nodal};
-use crate::level::Level;
+use crate::level::{Kept, Level};
 use crate::options::CycleShape;
 use crate::real::Real;
+use octruss_mesh::large_array::zeroed;
 
 /// All smoothed levels of a scaled matrix, finest first, and the direct solver
 /// below them.
@@ -36,8 +37,14 @@ impl<E: Entry> Cycle<E> {
         shape: CycleShape,
         matrix_scale: f64,
     ) -> Self {
-        let zero = vec![E::Nodal::default(); unknowns];
-        Self { levels, coarsest, shape, matrix_scale, rhs: zero.clone(), x: zero }
+        let (rhs, x) = (zeroed(unknowns), zeroed(unknowns));
+        Self { levels, coarsest, shape, matrix_scale, rhs, x }
+    }
+
+    /// What another matrix with the same pattern can use.
+    pub(crate) fn into_known(self) -> (Vec<Kept<E>>, Option<Elimination>) {
+        let transfers = self.levels.into_iter().map(Level::into_kept).collect();
+        (transfers, self.coarsest.solver.into_elimination())
     }
 
     /// z = one cycle for A z = r, from zero.

@@ -1,11 +1,12 @@
 //! The diagonal that a smoother inverts, by entries.
 
-use crate::chunks::map_ranges;
+use crate::chunks::map_chunks2;
 use crate::csr::Csr;
 use crate::entry::Entry;
 use crate::error::Error;
 use crate::options::DiagonalKind;
 use crate::projectors::Projectors;
+use octruss_mesh::large_array::zeroed;
 
 /// The entries of a diagonal, numbers or blocks, all positive definite.
 pub(crate) struct Diagonal<E> {
@@ -19,15 +20,17 @@ impl<E: Entry<Real = f64>> Diagonal<E> {
     /// # Errors
     /// [`Error::Diagonal`] at the first entry that is missing or not positive definite.
     pub(crate) fn new(matrix: &Csr<E>, level: usize) -> Result<Self, Error> {
-        let entry = |row: usize| {
-            let entry = matrix.get(row, row).unwrap_or_default();
-            let inverse = entry.inverse().map_err(|value| Error::Diagonal { level, row, value })?;
-            Ok((entry, inverse))
-        };
-        let chunks =
-            map_ranges(matrix.rows(), |rows| rows.map(entry).collect::<Result<Vec<_>, _>>());
-        let pairs = chunks.into_iter().collect::<Result<Vec<_>, _>>()?;
-        let (entries, inverses) = pairs.into_iter().flatten().unzip();
+        let [mut entries, mut inverses]: [Vec<E>; 2] =
+            std::array::from_fn(|_| zeroed(matrix.rows()));
+        let chunks = map_chunks2(&mut entries, &mut inverses, |first, entries, inverses| {
+            for (row, (entry, inverse)) in (first..).zip(entries.iter_mut().zip(inverses)) {
+                *entry = matrix.get(row, row).unwrap_or_default();
+                let fault = |value| Error::Diagonal { level, row, value };
+                *inverse = entry.inverse().map_err(fault)?;
+            }
+            Ok(())
+        });
+        chunks.into_iter().collect::<Result<(), _>>()?;
         Ok(Self { entries, inverses })
     }
 

@@ -5,6 +5,8 @@ use crate::scalar::Scalar;
 use crate::surface::{check_surface, triangles_of};
 use octruss_mesh::TetMesh;
 use octruss_mesh::components::part_of_vertices;
+use rayon::prelude::*;
+use std::sync::atomic::{AtomicBool, Ordering::Relaxed};
 
 /// Marks a vertex without an unknown.
 const NONE: u32 = u32::MAX;
@@ -146,9 +148,11 @@ impl Dofs {
 
 /// Whether a tet uses each vertex.
 pub(crate) fn vertices_of_tets(mesh: &TetMesh) -> Vec<bool> {
-    let mut in_tet = vec![false; mesh.points().len()];
-    for &vertex in mesh.tets().as_flattened() {
-        in_tet[vertex as usize] = true;
-    }
-    in_tet
+    let in_tet: Vec<AtomicBool> = mesh.points().iter().map(|_| AtomicBool::new(false)).collect();
+    mesh.tets().par_iter().with_min_len(4096).for_each(|tet| {
+        // Most are set already: reading leaves them in the other threads' caches.
+        let unset = tet.iter().map(|v| &in_tet[*v as usize]).filter(|set| !set.load(Relaxed));
+        unset.for_each(|set| set.store(true, Relaxed));
+    });
+    in_tet.into_iter().map(AtomicBool::into_inner).collect()
 }

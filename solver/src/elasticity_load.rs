@@ -8,7 +8,7 @@ use crate::foundation::Foundation;
 use crate::load::{add_at, tet_load, triangle_load};
 use crate::matrix3::{IDENTITY, Vector3, length, outer, scale};
 use crate::scalar::{Scalar, values_at};
-use crate::scatter::Scatter;
+use crate::scatter::{Scatter, Sums};
 use crate::surface::{OutwardTriangle, check_attached, outward_triangles, triangles_of};
 use octruss_mesh::{TetMesh, Topology};
 use std::slice::from_ref;
@@ -49,7 +49,8 @@ fn volume_load(mesh: &TetMesh, problem: &Elasticity) -> Vec<Vector3> {
     if problem.body_force.all(is_zero) && weightless {
         return vec![[0.0; 3]; mesh.points().len()];
     }
-    Scatter::new(mesh.tets(), mesh.points().len()).sum(|tet| {
+    let scatter = Scatter::new(mesh.tets(), mesh.points().len());
+    let sums = scatter.sum(|tet| {
         let region = mesh.regions()[tet];
         let (force, density) =
             (problem.body_force.of(region), &problem.material.of(region).density);
@@ -64,7 +65,8 @@ fn volume_load(mesh: &TetMesh, problem: &Elasticity) -> Vec<Vector3> {
             std::array::from_fn(|k| force[k] + density * gravity[k])
         };
         tet_load((mesh.corners(tet), mesh.volume(tet)), is_constant, at)
-    })
+    });
+    sums.in_order()
 }
 
 fn all_constant(vector: &Vector) -> bool {
@@ -90,7 +92,7 @@ pub(crate) fn add_springs(
     mesh: &TetMesh,
     topology: &Topology,
     problem: &Elasticity,
-    couplings: &mut [[f64; 9]],
+    couplings: &mut Sums<9>,
 ) -> Result<Vec<[f64; 9]>, Error> {
     let mut foundation = Foundation::new(topology, couplings);
     for_springs(mesh, topology, problem, |_, triangle, corners, stiffness| {

@@ -25,6 +25,12 @@ pub enum Error {
         /// The size that fits.
         expected: usize,
     },
+    /// A multigrid was to take the numbers of a matrix with other entries.
+    #[error(
+        "the matrix has entries elsewhere than the one that the multigrid was built from: \
+         build a new one"
+    )]
+    Pattern,
     /// An option has a value that makes no sense.
     #[error("option `{option}`: {expected}")]
     Option {

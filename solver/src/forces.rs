@@ -82,11 +82,13 @@ impl Forces {
 
 /// ∫ σ ∇φ at each vertex: the force with which the body resists there.
 fn internal_forces(mesh: &TetMesh, stresses: &[[f64; 6]]) -> Vec<Vector3> {
-    Scatter::new(mesh.tets(), mesh.points().len()).sum(|tet| {
+    let scatter = Scatter::new(mesh.tets(), mesh.points().len());
+    let sums = scatter.sum(|tet| {
         let (_, gradients) = scaled_gradients(mesh.corners(tet));
         let stress = full(&stresses[tet]);
         gradients.map(|gradient| scale(1.0 / 6.0, apply(&stress, gradient)))
-    })
+    });
+    sums.in_order()
 }
 
 fn sum(forces: &[Vector3]) -> Vector3 {

@@ -2,20 +2,21 @@
 //! springs, ∫ c φ_a φ_b over triangles.
 
 use crate::element::triangle_area;
+use crate::scatter::Sums;
 use octruss_mesh::Topology;
 
 /// The couplings of edges and, since rows no longer sum to zero, the row sums at
 /// vertices; `K` numbers each: 1 for a scalar, 9 for a symmetric 3 × 3 block.
-pub(crate) struct Foundation<'a, const K: usize> {
+pub(crate) struct Foundation<'a, 'b, const K: usize> {
     topology: &'a Topology,
-    couplings: &'a mut [[f64; K]],
+    couplings: &'a mut Sums<'b, K>,
     /// ∫ c φ_a for each vertex; empty as long as nothing was added.
     row_sums: Vec<[f64; K]>,
 }
 
-impl<'a, const K: usize> Foundation<'a, K> {
+impl<'a, 'b, const K: usize> Foundation<'a, 'b, K> {
     /// Adds to the couplings of a topology's edges.
-    pub(crate) fn new(topology: &'a Topology, couplings: &'a mut [[f64; K]]) -> Self {
+    pub(crate) fn new(topology: &'a Topology, couplings: &'a mut Sums<'b, K>) -> Self {
         Self { topology, couplings, row_sums: Vec::new() }
     }
 
@@ -33,7 +34,7 @@ impl<'a, const K: usize> Foundation<'a, K> {
             let middle = std::array::from_fn(|k| 0.5 * (corners[a][k] + corners[b][k]));
             let value = c(middle).map(|c| share * c);
             if let Some(edge) = self.topology.edge_between(vertices[a], vertices[b]) {
-                add_times(1.0, value, &mut self.couplings[edge as usize]);
+                add_times(1.0, value, self.couplings.at_mut(edge));
             }
             for vertex in [a, b] {
                 add_times(2.0, value, &mut self.row_sums[vertices[vertex] as usize]);

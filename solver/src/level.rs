@@ -1,14 +1,19 @@
 //! One smoothed level of the multigrid: plain data and the steps of the cycle.
 
+use crate::colouring::Colouring;
 use crate::csr::Csr;
 use crate::diagonal::Diagonal;
 use crate::entry::Entry;
+use crate::galerkin::constrained_galerkin;
 use crate::gauss_seidel::Order;
 use crate::kernels::{product, residual};
 use crate::options::MultigridOptions;
+use crate::pattern::Pattern;
 use crate::projectors::{Projectors, project};
 use crate::smoothing::Smoothing;
 use crate::weights::Weights;
+use octruss_mesh::large_array::zeroed;
+use std::sync::Arc;
 
 /// A matrix, its smoother, the transfer to the next coarser level and the work
 /// vectors of both, allocated once.
@@ -28,28 +33,70 @@ pub(crate) struct Level<E: Entry> {
     pub(crate) coarse_x: Vec<E::Nodal>,
 }
 
+/// What a level keeps when the numbers of its matrix change.
+pub(crate) struct Kept<E: Entry> {
+    pub(crate) prolongation: Weights<E>,
+    pub(crate) restriction: Weights<E>,
+    /// The colours of the rows, if known.
+    colouring: Option<Colouring>,
+}
+
+impl<E: Entry> Kept<E> {
+    /// From a prolongation in the precision of a cycle.
+    pub(crate) fn new(prolongation: Weights<E>) -> Self {
+        Self { restriction: prolongation.transposed(), prolongation, colouring: None }
+    }
+
+    /// The Galerkin product of a prolongation of numbers, see
+    /// [`constrained_galerkin`]; none of another.
+    pub(crate) fn galerkin<D: Entry<Real = f64>>(
+        &self,
+        matrix: (&Csr<D>, &Projectors<D>),
+        coarse: &Projectors<D>,
+        known: Option<&Arc<Pattern>>,
+    ) -> Option<Csr<D>> {
+        match (&self.prolongation, &self.restriction) {
+            (Weights::Numbers(p), Weights::Numbers(transposed)) => {
+                Some(constrained_galerkin(matrix, (p, transposed), coarse, known))
+            }
+            _ => None,
+        }
+    }
+}
+
 impl<E: Entry> Level<E> {
     /// A level of `scale` times a matrix in double precision.
     pub(crate) fn new<D: Entry<Real = f64>>(
         (matrix, diagonal, scale): (&Csr<D>, Diagonal<D>, f64),
-        (prolongation, restriction): (&Weights<D>, &Weights<D>),
+        Kept { prolongation, restriction, colouring }: Kept<E>,
         [fine, coarse]: [&Projectors<D>; 2],
         options: &MultigridOptions,
     ) -> Self {
         let rounded = matrix.cast_scaled(scale);
         Self {
-            smoothing: Smoothing::new((matrix, diagonal, fine), (&rounded, scale), options),
+            smoothing: Smoothing::new(
+                (matrix, diagonal, fine),
+                (&rounded, scale),
+                options,
+                colouring,
+            ),
             matrix: rounded,
             before: options.before,
             after: options.after,
-            prolongation: prolongation.cast(),
-            restriction: restriction.cast(),
             projectors: fine.cast(),
             coarse_projectors: coarse.cast(),
-            residual: vec![E::Nodal::default(); matrix.rows()],
-            coarse_rhs: vec![E::Nodal::default(); prolongation.columns()],
-            coarse_x: vec![E::Nodal::default(); prolongation.columns()],
+            residual: zeroed(matrix.rows()),
+            coarse_rhs: zeroed(prolongation.columns()),
+            coarse_x: zeroed(prolongation.columns()),
+            prolongation,
+            restriction,
         }
+    }
+
+    /// What another matrix with the same pattern can use.
+    pub(crate) fn into_kept(self) -> Kept<E> {
+        let Self { prolongation, restriction, smoothing, .. } = self;
+        Kept { prolongation, restriction, colouring: smoothing.into_colouring() }
     }
 
     /// The sweeps before the correction; with `from_zero` what they make of zero,

@@ -52,6 +52,7 @@ mod cycle;
 mod diagonal;
 mod dofs;
 mod dot;
+mod edge_rows;
 mod elasticity;
 mod elasticity_load;
 mod element;

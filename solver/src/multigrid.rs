@@ -2,20 +2,22 @@
 
 use crate::account::{Account, account, cycle_bytes};
 use crate::blocks::expand_blocks;
-use crate::coarse::CoarseSolver;
+use crate::coarse::{CoarseSolver, Elimination};
 use crate::csr::Csr;
 use crate::cycle::{Coarsest, Cycle};
 use crate::diagonal::Diagonal;
 use crate::dot::largest;
 use crate::entry::{Entry, Nodal};
 use crate::error::{Error, check_finite, check_size};
-use crate::level::Level;
+use crate::level::{Kept, Level};
 use crate::options::{MultigridOptions, Precision};
+use crate::pattern::Pattern;
 use crate::preconditioner::Preconditioner;
 use crate::projectors::Projectors;
 use crate::summary::LevelSummary;
 use crate::transfer::Transfer;
 use std::borrow::Cow;
+use std::sync::Arc;
 use std::time::Instant;
 
 /// Levels from a matrix and prolongations, and a cycle over them.
@@ -24,9 +26,15 @@ use std::time::Instant;
 /// directly. Prints itself as a table of its levels.
 pub struct Multigrid<E: Entry = f64> {
     cycle: AnyCycle<E>,
+    /// Which directions of each level's rows are free, finest first.
+    projectors: Vec<Projectors<E>>,
+    /// Where each level's matrix has entries, finest first.
+    patterns: Vec<Arc<Pattern>>,
     summaries: Vec<LevelSummary>,
     options: MultigridOptions,
     setup_seconds: f64,
+    /// Whether all coarse matrices are Galerkin products of plain prolongations.
+    keeps_galerkin: bool,
 }
 
 enum AnyCycle<E: Entry> {
@@ -90,18 +98,101 @@ impl<E: Entry<Real = f64>> Multigrid<E> {
         check_size("columns of the matrix", matrix.columns(), matrix.rows())?;
         check_size("lists of projectors", projectors.len(), transfers.len() + 1)?;
         check_finite("matrix", E::flat(matrix.values()))?;
-        let (cycle, summaries) = match options.precision {
+        let mut multigrid = match options.precision {
             Precision::Single => {
-                let (cycle, summaries) = build(matrix, transfers, projectors, options)?;
-                (AnyCycle::Single(cycle), summaries)
+                let known = Known::new(matrix, transfers, projectors)?;
+                Self::build(matrix, known, options, AnyCycle::Single)?
             }
             Precision::Double => {
-                let (cycle, summaries) = build(matrix, transfers, projectors, options)?;
-                (AnyCycle::Double(cycle), summaries)
+                let known = Known::new(matrix, transfers, projectors)?;
+                Self::build(matrix, known, options, AnyCycle::Double)?
             }
         };
-        let setup_seconds = start.elapsed().as_secs_f64();
-        Ok(Self { cycle, summaries, options: *options, setup_seconds })
+        multigrid.setup_seconds = start.elapsed().as_secs_f64();
+        Ok(multigrid)
+    }
+
+    /// The multigrid of a matrix with other numbers in the same places, for instance
+    /// after a change of material: to the last bit what building it anew gives.
+    ///
+    /// Whatever depends on places and prolongations alone is kept: patterns,
+    /// transposes, colours of rows, the elimination order of the coarsest level. A
+    /// multigrid that fails is lost.
+    ///
+    /// # Errors
+    /// [`Error::Pattern`] if the matrix has entries elsewhere; [`Error::Option`] if a
+    /// prolongation was smoothed or a coarse matrix given, which belong to the old
+    /// numbers; else as [`Multigrid::new`].
+    pub fn updated(self, matrix: &Csr<E>) -> Result<Self, Error> {
+        let start = Instant::now();
+        let Self { cycle, projectors, patterns, options, keeps_galerkin, .. } = self;
+        let is_shared = Arc::ptr_eq(matrix.pattern(), &patterns[0]);
+        if !is_shared && **matrix.pattern() != *patterns[0] {
+            return Err(Error::Pattern);
+        }
+        check_finite("matrix", E::flat(matrix.values()))?;
+        if !keeps_galerkin {
+            let (option, expected) = ("transfers", "Galerkin products of plain prolongations");
+            return Err(Error::Option { option, expected });
+        }
+        let mut multigrid = match cycle {
+            AnyCycle::Single(cycle) => {
+                let known = Known::of(cycle, projectors, patterns);
+                Self::build(matrix, known, &options, AnyCycle::Single)?
+            }
+            AnyCycle::Double(cycle) => {
+                let known = Known::of(cycle, projectors, patterns);
+                Self::build(matrix, known, &options, AnyCycle::Double)?
+            }
+        };
+        multigrid.setup_seconds = start.elapsed().as_secs_f64();
+        Ok(multigrid)
+    }
+
+    /// Levels from the finest to the coarsest, with entries `F` in the cycle.
+    fn build<F: Entry>(
+        matrix: &Csr<E>,
+        known: Known<E, F>,
+        options: &MultigridOptions,
+        any: fn(Cycle<F>) -> AnyCycle<E>,
+    ) -> Result<Self, Error> {
+        let Known { transfers, projectors, mut patterns, elimination } = known;
+        let mut diagonal = Diagonal::new(matrix, 0)?;
+        let scale = scale_to_one(E::flat(&diagonal.entries));
+        let (mut levels, mut summaries) = (Vec::new(), Vec::new());
+        let mut current = Cow::Borrowed(matrix);
+        let keeps_galerkin = transfers.iter().all(AnyTransfer::is_galerkin);
+        for (transfer, constrained) in transfers.into_iter().zip(projectors.windows(2)) {
+            let (number, both) = (levels.len(), [&constrained[0], &constrained[1]]);
+            let (kept, coarser) = match transfer {
+                AnyTransfer::New(transfer) => transfer.apply((&current, &diagonal), both),
+                AnyTransfer::Kept(kept) => {
+                    let pattern = patterns.get(number + 1);
+                    let product = kept.galerkin((&current, both[0]), both[1], pattern);
+                    (kept, product.expect("only Galerkin products of numbers are kept"))
+                }
+            };
+            if patterns.len() == number + 1 {
+                patterns.push(Arc::clone(coarser.pattern()));
+            }
+            let scaled = (&*current, diagonal, scale);
+            let level = Level::<F>::new(scaled, kept, both, options);
+            summaries.push(LevelSummary {
+                bytes: level.bytes(),
+                prolongation_nonzeros: Some(level.prolongation.multiplications()),
+                largest_eigenvalue: level.smoothing.largest_eigenvalue,
+                ..LevelSummary::of(&*current)
+            });
+            levels.push(level);
+            current = Cow::Owned(coarser);
+            diagonal = Diagonal::new(&current, levels.len())?;
+        }
+        let solver = CoarseSolver::new(expand_blocks(&current, scale), elimination)?;
+        summaries.push(LevelSummary { bytes: solver.bytes(), ..LevelSummary::of(&*current) });
+        let coarsest = Coarsest::new(solver, current.rows() * E::SIZE);
+        let cycle = any(Cycle::new(matrix.rows(), levels, coarsest, options.shape, scale));
+        let (options, setup_seconds) = (*options, 0.0);
+        Ok(Self { cycle, projectors, patterns, summaries, options, setup_seconds, keeps_galerkin })
     }
 
     /// Full multigrid for A x = `rhs`: the coarsest level is solved; on each finer
@@ -229,44 +320,61 @@ impl<E: Entry<Real = f64>> Preconditioner<E::Nodal> for Multigrid<E> {
     }
 }
 
-/// Levels from the finest to the coarsest, with entries `F` in the cycle.
-fn build<E: Entry<Real = f64>, F: Entry>(
-    matrix: &Csr<E>,
-    transfers: Vec<Transfer<E>>,
-    projectors: Vec<Vec<(u32, E)>>,
-    options: &MultigridOptions,
-) -> Result<(Cycle<F>, Vec<LevelSummary>), Error> {
-    let mut projectors = projectors.into_iter().enumerate();
-    let mut next_projectors = |rows: usize| {
-        let (level, list) = projectors.next().unwrap_or_default();
-        Projectors::new(level, rows, list)
-    };
-    let mut diagonal = Diagonal::new(matrix, 0)?;
-    let scale = scale_to_one(E::flat(&diagonal.entries));
-    let (mut levels, mut summaries) = (Vec::new(), Vec::new());
-    let mut current = Cow::Borrowed(matrix);
-    let mut constrained = next_projectors(matrix.rows())?;
-    for transfer in transfers.into_iter().take_while(|t| t.prolongation.columns() > 0) {
-        transfer.check(current.rows())?;
-        let coarse_constrained = next_projectors(transfer.prolongation.columns())?;
-        let both = [&constrained, &coarse_constrained];
-        let (prolongation, restriction, coarse) = transfer.apply((&current, &diagonal), both);
-        let scaled = (&*current, diagonal, scale);
-        let level = Level::<F>::new(scaled, (&prolongation, &restriction), both, options);
-        summaries.push(LevelSummary {
-            bytes: level.bytes(),
-            prolongation_nonzeros: Some(prolongation.multiplications()),
-            largest_eigenvalue: level.smoothing.largest_eigenvalue,
-            ..LevelSummary::of(&*current)
-        });
-        levels.push(level);
-        (current, constrained) = (Cow::Owned(coarse), coarse_constrained);
-        diagonal = Diagonal::new(&current, levels.len())?;
+/// How a level hangs on the next: as it was given, or as it was kept.
+enum AnyTransfer<E: Entry, F: Entry> {
+    New(Transfer<E>),
+    Kept(Kept<F>),
+}
+
+impl<E: Entry, F: Entry> AnyTransfer<E, F> {
+    /// Whether it depends on the places of a matrix alone.
+    fn is_galerkin(&self) -> bool {
+        match self {
+            Self::New(transfer) => !transfer.smooth && transfer.coarse_matrix.is_none(),
+            Self::Kept(_) => true,
+        }
     }
-    let solver = CoarseSolver::new(expand_blocks(&current, scale))?;
-    summaries.push(LevelSummary { bytes: solver.bytes(), ..LevelSummary::of(&*current) });
-    let coarsest = Coarsest::new(solver, current.rows() * E::SIZE);
-    Ok((Cycle::new(matrix.rows(), levels, coarsest, options.shape, scale), summaries))
+}
+
+/// What does not depend on the numbers of a matrix.
+struct Known<E: Entry, F: Entry> {
+    transfers: Vec<AnyTransfer<E, F>>,
+    projectors: Vec<Projectors<E>>,
+    /// Those of all levels, or of the finest alone.
+    patterns: Vec<Arc<Pattern>>,
+    elimination: Option<Elimination>,
+}
+
+impl<E: Entry<Real = f64>, F: Entry> Known<E, F> {
+    /// From what a user gives for a matrix; checked.
+    fn new(
+        matrix: &Csr<E>,
+        given: Vec<Transfer<E>>,
+        projectors: Vec<Vec<(u32, E)>>,
+    ) -> Result<Self, Error> {
+        let mut rows = vec![matrix.rows()];
+        let mut transfers = Vec::new();
+        for transfer in given.into_iter().take_while(|t| t.prolongation.columns() > 0) {
+            transfer.check(rows[transfers.len()])?;
+            rows.push(transfer.prolongation.columns());
+            transfers.push(AnyTransfer::New(transfer));
+        }
+        let projectors = rows.into_iter().zip(projectors).enumerate();
+        let projectors = projectors.map(|(level, (rows, list))| Projectors::new(level, rows, list));
+        Ok(Self {
+            transfers,
+            projectors: projectors.collect::<Result<_, _>>()?,
+            patterns: vec![Arc::clone(matrix.pattern())],
+            elimination: None,
+        })
+    }
+
+    /// From a cycle that is used no more.
+    fn of(cycle: Cycle<F>, projectors: Vec<Projectors<E>>, patterns: Vec<Arc<Pattern>>) -> Self {
+        let (kept, elimination) = cycle.into_known();
+        let transfers = kept.into_iter().map(AnyTransfer::Kept).collect();
+        Self { transfers, projectors, patterns, elimination }
+    }
 }
 
 /// The power of two, so that nothing is rounded, that makes the largest entry of

@@ -11,14 +11,15 @@ use crate::entry::Entry;
 /// # Panics
 /// If the inner dimensions differ.
 pub fn multiply(a: &Csr<f64>, b: &Csr<f64>) -> Csr<f64> {
-    multiply_with(a, b, |a, b, sum: f64| sum + a * b)
+    multiply_with(a, b, |a, b| (a, b))
 }
 
-/// A B where `add(a, b, sum)` is sum + a b.
+/// A B where the product of entries a and b is factor · value for (factor, value) of
+/// `term(a, b)`.
 pub(crate) fn multiply_with<A: Copy + Sync, B: Copy + Sync, E: Entry>(
     a: &Csr<A>,
     b: &Csr<B>,
-    add: impl Fn(A, B, E) -> E + Sync,
+    term: impl Fn(A, B) -> (E::Real, E) + Sync,
 ) -> Csr<E> {
     assert_eq!(a.columns(), b.rows(), "columns of the left, rows of the right factor");
     let chunks = map_ranges(a.rows(), |rows| {
@@ -29,15 +30,17 @@ pub(crate) fn multiply_with<A: Copy + Sync, B: Copy + Sync, E: Entry>(
             let (a_indices, a_values) = a.row(i);
             for (&k, &weight) in a_indices.iter().zip(a_values) {
                 let (columns, b_values) = b.row(k as usize);
-                for (&j, &v) in columns.iter().zip(b_values) {
-                    let sum = row.at(j);
-                    *sum = add(weight, v, *sum);
-                }
+                row.add(columns.iter().zip(b_values).map(|(&j, &v)| {
+                    let (factor, value) = term(weight, v);
+                    (j, factor, value)
+                }));
             }
-            row.touched.sort_unstable();
-            lengths.push(row.touched.len());
-            indices.extend_from_slice(&row.touched);
-            values.extend(row.touched.iter().map(|&j| row.sum(j)));
+            row.sort();
+            lengths.push(row.count());
+            for (j, sum) in row.drain() {
+                indices.push(j);
+                values.push(sum);
+            }
         }
         (lengths, indices, values)
     });

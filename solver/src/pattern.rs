@@ -1,5 +1,7 @@
 //! Where a sparse matrix has entries; shared by matrices that differ in values.
 
+use crate::chunks::for_chunks;
+use octruss_mesh::large_array::zeroed;
 use std::ops::Range;
 use std::slice::Windows;
 
@@ -22,7 +24,12 @@ enum Offsets {
 impl Pattern {
     pub(crate) fn new(columns: usize, offsets: Vec<usize>, indices: Vec<u32>) -> Self {
         let offsets = if u32::try_from(indices.len()).is_ok() {
-            Offsets::Narrow(offsets.into_iter().map(|at| at as u32).collect())
+            let mut narrow = zeroed(offsets.len());
+            for_chunks(&mut narrow, |first, chunk| {
+                let given = chunk.iter_mut().zip(&offsets[first..]);
+                given.for_each(|(narrow, &at)| *narrow = at as u32);
+            });
+            Offsets::Narrow(narrow)
         } else {
             Offsets::Wide(offsets)
         };
@@ -52,6 +59,12 @@ impl Pattern {
             Offsets::Narrow(offsets) => offsets[i] as usize..offsets[i + 1] as usize,
             Offsets::Wide(offsets) => offsets[i]..offsets[i + 1],
         }
+    }
+
+    /// The columns of row `i` from its diagonal on.
+    pub(crate) fn upper_row(&self, i: usize) -> &[u32] {
+        let columns = &self.indices[self.row(i)];
+        &columns[columns.partition_point(|&j| (j as usize) < i)..]
     }
 
     /// The numbers of entries of the rows given, in order.

@@ -6,7 +6,7 @@ use crate::foundation::Foundation;
 use crate::load::{add_at, tet_load, triangle_load};
 use crate::problem::{Poisson, Robin};
 use crate::scalar::Scalar;
-use crate::scatter::Scatter;
+use crate::scatter::{Scatter, Sums};
 use crate::surface::{check_attached, triangles_of};
 use octruss_mesh::{TetMesh, Topology};
 use std::cell::Cell;
@@ -22,11 +22,13 @@ pub(crate) fn load_vector(
     let mut load = if problem.source.all(Scalar::is_zero) {
         vec![[0.0]; mesh.points().len()]
     } else {
-        Scatter::new(mesh.tets(), mesh.points().len()).sum(|tet| {
+        let scatter = Scatter::new(mesh.tets(), mesh.points().len());
+        let sums = scatter.sum(|tet| {
             let source = problem.source.of(mesh.regions()[tet]);
             let place = (mesh.corners(tet), mesh.volume(tet));
             tet_load(place, source.is_constant(), |p| [source.at(p)])
-        })
+        });
+        sums.in_order()
     };
     let mut add = |surface: i32, is_constant: bool, flux: &dyn Fn([f64; 3]) -> f64| {
         check_attached(mesh, topology, surface)?;
@@ -63,7 +65,7 @@ pub(crate) fn add_robin(
     mesh: &TetMesh,
     topology: &Topology,
     robin: &[(i32, Robin)],
-    couplings: &mut [[f64; 1]],
+    couplings: &mut Sums<1>,
 ) -> Result<Vec<[f64; 1]>, Error> {
     let mut foundation = Foundation::new(topology, couplings);
     for (surface, Robin { coefficient, .. }) in robin {

@@ -25,7 +25,7 @@ impl<'a> Recovery<'a> {
         };
         let weights: Vec<f64> = mesh.regions().iter().enumerate().map(weight).collect();
         let scatter = Scatter::new(mesh.tets(), mesh.points().len());
-        let totals = scatter.sum(|tet| [[weights[tet]]; 4]);
+        let totals = scatter.sum(|tet| [[weights[tet]]; 4]).in_order();
         Self { scatter, weights, totals }
     }
 
@@ -35,8 +35,8 @@ impl<'a> Recovery<'a> {
     /// [`Error::Size`] unless there is one value for each tet.
     pub fn at_vertices<const K: usize>(&self, values: &[[f64; K]]) -> Result<Vec<[f64; K]>, Error> {
         check_size("values of tets", values.len(), self.weights.len())?;
-        let mut sums =
-            self.scatter.sum(|tet| [values[tet].map(|value| self.weights[tet] * value); 4]);
+        let weighted = |tet: usize| [values[tet].map(|value| self.weights[tet] * value); 4];
+        let mut sums = self.scatter.sum(weighted).in_order();
         for (sum, [total]) in sums.iter_mut().zip(&self.totals) {
             *sum = sum.map(|value| if *total > 0.0 { value / total } else { f64::NAN });
         }

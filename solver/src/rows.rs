@@ -1,7 +1,9 @@
 //! Building a sparse matrix row by row, in parallel and in place.
 
-use crate::chunks::map_ranges;
+use crate::chunks::{chunk_len, for_chunks};
 use crate::csr::Csr;
+use octruss_mesh::chunks::Cut;
+use octruss_mesh::large_array::zeroed;
 use rayon::prelude::*;
 
 /// A matrix from the length of each row and a function that fills a row's
@@ -11,34 +13,57 @@ pub(crate) fn build_rows<E: Copy + Default + Send>(
     length: impl Fn(usize) -> usize + Sync,
     fill: impl Fn(usize, &mut [u32], &mut [E]) + Sync,
 ) -> Csr<E> {
-    let lengths = map_ranges(rows, |range| range.map(&length).collect::<Vec<_>>());
-    let mut offsets = Vec::with_capacity(rows + 1);
-    offsets.push(0);
+    let offsets = offsets(rows, length);
+    let mut indices: Vec<u32> = zeroed(offsets[rows]);
+    let mut values: Vec<E> = zeroed(offsets[rows]);
+    let entries = (&mut indices[..], &mut values[..]);
+    for_rows(
+        rows,
+        |row| offsets[row],
+        entries,
+        |row, (indices, values)| {
+            fill(row, indices, values);
+        },
+    );
+    Csr::trusted(columns, offsets, indices, values)
+}
+
+/// Where each row begins, and the number of entries, from the length of each row.
+pub(crate) fn offsets(rows: usize, length: impl Fn(usize) -> usize + Sync) -> Vec<usize> {
+    let mut offsets = zeroed(rows + 1);
+    for_chunks(&mut offsets[1..], |first, chunk| {
+        chunk.iter_mut().enumerate().for_each(|(k, slot)| *slot = length(first + k));
+    });
     let mut end = 0;
-    for length in lengths.iter().flatten() {
-        end += length;
-        offsets.push(end);
+    for slot in &mut offsets {
+        end += *slot;
+        *slot = end;
     }
-    let mut indices = vec![0u32; end];
-    let mut values = vec![E::default(); end];
-    // Each chunk of rows gets its own piece of the two arrays.
-    let (mut indices_left, mut values_left) = (&mut indices[..], &mut values[..]);
-    let mut pieces = Vec::with_capacity(lengths.len());
-    let mut first = 0;
-    for chunk in &lengths {
-        let entries = offsets[first + chunk.len()] - offsets[first];
-        let (piece_indices, piece_values);
-        (piece_indices, indices_left) = indices_left.split_at_mut(entries);
-        (piece_values, values_left) = values_left.split_at_mut(entries);
-        pieces.push((first, piece_indices, piece_values));
-        first += chunk.len();
+    offsets
+}
+
+/// Runs `work(row, entries)` for all rows, with the entries between offset(row) and
+/// offset(row + 1).
+pub(crate) fn for_rows<V: Cut>(
+    rows: usize,
+    offset: impl Fn(usize) -> usize + Sync,
+    mut entries: V,
+    work: impl Fn(usize, V) + Sync,
+) {
+    // Each chunk of rows gets its own piece.
+    let len = chunk_len(rows);
+    let mut pieces = Vec::with_capacity(rows.div_ceil(len));
+    for first in (0..rows).step_by(len) {
+        let last = (first + len).min(rows);
+        let piece;
+        (piece, entries) = entries.cut(offset(last) - offset(first));
+        pieces.push((first..last, piece));
     }
-    pieces.into_par_iter().zip(&lengths).for_each(|((first, indices, values), chunk)| {
-        let mut at = 0;
-        for (k, length) in chunk.iter().enumerate() {
-            fill(first + k, &mut indices[at..at + length], &mut values[at..at + length]);
-            at += length;
+    pieces.into_par_iter().for_each(|(rows, mut entries)| {
+        for row in rows {
+            let own;
+            (own, entries) = entries.cut(offset(row + 1) - offset(row));
+            work(row, own);
         }
     });
-    Csr::trusted(columns, offsets, indices, values)
 }

@@ -19,7 +19,7 @@ pub(crate) fn smoothed<E: Entry<Real = f64>>(
     let end = largest_eigenvalue(matrix, &diagonal.entries, &diagonal.inverses);
     let omega = 4.0 / (3.0 * end.estimate);
     // A P holds all columns of P, since A has a diagonal.
-    let product = multiply_with(matrix, prolongation, |a, p, sum: E| sum.add_scaled(p, a));
+    let product = multiply_with(matrix, prolongation, |a: E, p| (p, a));
     let mut values = Vec::with_capacity(product.nonzeros());
     for row in 0..product.rows() {
         let (columns, sums) = product.row(row);
@@ -41,7 +41,7 @@ pub(crate) fn galerkin_of_entries<E: Entry<Real = f64>>(
     prolongation: &Csr<E>,
     coarse: &Projectors<E>,
 ) -> Csr<E> {
-    let times = |a: E, b: E, sum: E| sum.add_scaled(1.0, a.times(b));
+    let times = |a: E, b: E| (1.0, a.times(b));
     let half = multiply_with(matrix, prolongation, times);
     let product = multiply_with(&transpose(prolongation), &half, times);
     if coarse.is_empty() {

@@ -2,7 +2,7 @@
 
 use crate::chebyshev::Chebyshev;
 use crate::colouring::Colouring;
-use crate::csr::Csr;
+use crate::csr::{Csr, cast_all};
 use crate::diagonal::Diagonal;
 use crate::entry::Entry;
 use crate::gauss_seidel::{Order, coloured_sweep, sweep};
@@ -31,11 +31,12 @@ enum Kind<E: Entry> {
 
 impl<E: Entry> Smoothing<E> {
     /// The smoother of a matrix in the cycle's precision, `scale` times the one in
-    /// double precision.
+    /// double precision. The colours of its rows may be known.
     pub(crate) fn new<D: Entry<Real = f64>>(
         (matrix, diagonal, projectors): (&Csr<D>, Diagonal<D>, &Projectors<D>),
         (rounded, scale): (&Csr<E>, f64),
         options: &MultigridOptions,
+        known: Option<Colouring>,
     ) -> Self {
         let n = matrix.rows();
         let diagonal = match options.smoother {
@@ -43,13 +44,11 @@ impl<E: Entry> Smoothing<E> {
             Smoother::L1Jacobi => diagonal.plus_rows(matrix, options.diagonal, projectors),
             Smoother::GaussSeidel | Smoother::ColouredGaussSeidel => diagonal,
         };
-        let inverse_diagonal: Vec<E> =
-            diagonal.inverses.iter().map(|d| d.cast_scaled(1.0 / scale)).collect();
+        let inverse_diagonal: Vec<E> = cast_all(&diagonal.inverses, 1.0 / scale);
         let mut largest = None;
         let kind = match options.smoother {
             Smoother::Chebyshev { degree, lower } => {
-                let entries: Vec<E> =
-                    diagonal.entries.iter().map(|d| d.cast_scaled(scale)).collect();
+                let entries: Vec<E> = cast_all(&diagonal.entries, scale);
                 let end = largest_eigenvalue(rounded, &entries, &inverse_diagonal);
                 largest = Some(end.estimate);
                 let upper = (SAFETY * end.estimate).min(end.bound);
@@ -58,12 +57,20 @@ impl<E: Entry> Smoothing<E> {
             Smoother::L1Jacobi => Kind::Polynomial(Chebyshev::plain(n)),
             Smoother::GaussSeidel => Kind::Lexicographic,
             Smoother::ColouredGaussSeidel => {
-                let colouring = Colouring::greedy(matrix);
+                let colouring = known.unwrap_or_else(|| Colouring::greedy(matrix));
                 let buffer = vec![E::Nodal::default(); colouring.largest()];
                 Kind::Coloured(colouring, buffer)
             }
         };
         Self { inverse_diagonal, kind, largest_eigenvalue: largest }
+    }
+
+    /// The colours of the rows, where they have some.
+    pub(crate) fn into_colouring(self) -> Option<Colouring> {
+        match self.kind {
+            Kind::Coloured(colouring, _) => Some(colouring),
+            Kind::Polynomial(_) | Kind::Lexicographic => None,
+        }
     }
 
     /// One sweep for A x = b. With `from_zero`, `x` counts as zero whatever it holds.

@@ -6,6 +6,7 @@ use crate::entry::{Entry, Nodal};
 use crate::kernels::product_dot;
 use crate::random::noise;
 use crate::real::Real;
+use octruss_mesh::large_array::zeroed;
 
 /// Lanczos steps: the estimate then lies a few percent below the eigenvalue,
 /// which the smoother's safety factor covers.
@@ -33,7 +34,7 @@ pub(crate) fn largest_eigenvalue<E: Entry>(
     let n = matrix.rows();
     let zero = E::Nodal::default();
     let round = E::Real::from_f64;
-    let [mut previous, mut current, mut next] = std::array::from_fn(|_| vec![zero; n]);
+    let [mut previous, mut current, mut next] = std::array::from_fn(|_| zeroed(n));
     let start = noise(n * E::Nodal::SIZE, 1);
     E::Nodal::flat_mut(&mut current).iter_mut().zip(start).for_each(|(v, s)| *v = round(s));
     let weighted = |first: usize, chunk: &[E::Nodal]| weighted_square(chunk, &diagonal[first..]);

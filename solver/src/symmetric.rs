@@ -2,7 +2,11 @@
 
 use crate::csr::Csr;
 use crate::entry::Entry;
-use crate::rows::build_rows;
+use crate::pattern::Pattern;
+use crate::rows::{for_rows, offsets};
+use octruss_mesh::groups::Groups;
+use octruss_mesh::large_array::zeroed;
+use std::sync::Arc;
 
 /// Consecutive rows of an upper triangle, each with ascending columns from the
 /// diagonal on.
@@ -20,82 +24,81 @@ impl<E> Default for UpperRows<E> {
 
 impl<E> UpperRows<E> {
     /// Appends a row.
-    pub(crate) fn push(&mut self, columns: &[u32], values: impl Iterator<Item = E>) {
-        self.lengths.push(columns.len() as u32);
-        self.indices.extend_from_slice(columns);
-        self.values.extend(values);
+    #[inline]
+    pub(crate) fn push(&mut self, entries: impl Iterator<Item = (u32, E)>) {
+        let before = self.indices.len();
+        for (column, value) in entries {
+            self.indices.push(column);
+            self.values.push(value);
+        }
+        self.lengths.push((self.indices.len() - before) as u32);
+    }
+
+    fn rows(&self) -> impl Iterator<Item = (&[u32], &[E])> {
+        let mut start = 0;
+        self.lengths.iter().map(move |&length| {
+            let entries = start..start + length as usize;
+            start = entries.end;
+            (&self.indices[entries.clone()], &self.values[entries])
+        })
     }
 }
 
-/// The n × n matrix with these upper rows in order. Entries below the diagonal are
-/// the transposes of those above; diagonal blocks are replaced by their symmetric
-/// parts.
-pub(crate) fn from_upper<E: Entry<Real = f64>>(n: usize, chunks: &[UpperRows<E>]) -> Csr<E> {
-    let upper: Vec<(&[u32], &[E])> = chunks.iter().flat_map(rows_of).collect();
+/// The n × n matrix with these upper rows in order, its pattern given if it is
+/// known. Entries below the diagonal are the transposes of those above; diagonal
+/// blocks are replaced by their symmetric parts.
+pub(crate) fn from_upper<E: Entry<Real = f64>>(
+    n: usize,
+    chunks: &[UpperRows<E>],
+    known: Option<&Arc<Pattern>>,
+) -> Csr<E> {
+    let upper: Vec<(&[u32], &[E])> = chunks.iter().flat_map(UpperRows::rows).collect();
     debug_assert_eq!(upper.len(), n);
-    let lower = Lower::new(&upper);
-    build_rows(
-        (n, n),
-        |i| lower.row(i).len() + upper[i].0.len(),
-        |i, indices, values| {
-            let below = lower.row(i);
-            let (low_indices, high_indices) = indices.split_at_mut(below.len());
-            let (low_values, high_values) = values.split_at_mut(below.len());
-            high_indices.copy_from_slice(upper[i].0);
+    let pattern = known.cloned().unwrap_or_else(|| {
+        let columns: Vec<&[u32]> = upper.iter().map(|(columns, _)| *columns).collect();
+        Arc::new(mirrored(&columns))
+    });
+    let mut values: Vec<E> = zeroed(pattern.indices.len());
+    for_rows(
+        n,
+        |row| pattern.offset(row),
+        &mut values[..],
+        |i, values: &mut [E]| {
+            let columns = &pattern.indices[pattern.row(i)];
+            let (low_values, high_values) = values.split_at_mut(columns.len() - upper[i].0.len());
             high_values.copy_from_slice(upper[i].1);
-            if high_indices.first() == Some(&(i as u32)) {
+            if upper[i].0.first() == Some(&(i as u32)) {
                 let block = high_values[0];
                 high_values[0] = block.transposed().add_scaled(1.0, block).scaled(0.5);
             }
-            let places = low_indices.iter_mut().zip(low_values);
-            for (&(row, at), (index, value)) in below.iter().zip(places) {
-                *index = row;
-                *value = upper[row as usize].1[at as usize].transposed();
+            for (value, &j) in low_values.iter_mut().zip(columns) {
+                let (columns, values) = upper[j as usize];
+                let at = columns.partition_point(|&k| (k as usize) < i);
+                *value = values[at].transposed();
             }
         },
-    )
+    );
+    Csr::of(pattern, values)
 }
 
-fn rows_of<E>(chunk: &UpperRows<E>) -> impl Iterator<Item = (&[u32], &[E])> {
-    let mut start = 0;
-    chunk.lengths.iter().map(move |&length| {
-        let entries = start..start + length as usize;
-        start = entries.end;
-        (&chunk.indices[entries.clone()], &chunk.values[entries])
-    })
-}
-
-/// For each row the entries above the diagonal of its column, as (row, place in
-/// that row).
-struct Lower {
-    offsets: Vec<usize>,
-    entries: Vec<(u32, u32)>,
-}
-
-impl Lower {
-    fn new<E>(upper: &[(&[u32], &[E])]) -> Self {
-        let strictly = |i: usize| upper[i].0.iter().filter(move |&&j| j as usize > i);
-        let mut offsets = vec![0; upper.len() + 1];
-        for i in 0..upper.len() {
-            strictly(i).for_each(|&j| offsets[j as usize + 1] += 1);
-        }
-        for i in 0..upper.len() {
-            offsets[i + 1] += offsets[i];
-        }
-        let mut next = offsets.clone();
-        let mut entries = vec![(0, 0); offsets[upper.len()]];
-        for (i, (columns, _)) in upper.iter().enumerate() {
-            for (at, &j) in columns.iter().enumerate().filter(|(_, j)| **j as usize > i) {
-                entries[next[j as usize]] = (i as u32, at as u32);
-                next[j as usize] += 1;
-            }
-        }
-        Self { offsets, entries }
-    }
-
-    fn row(&self, i: usize) -> &[(u32, u32)] {
-        &self.entries[self.offsets[i]..self.offsets[i + 1]]
-    }
+/// The symmetric pattern with these columns, in each row from the diagonal on.
+fn mirrored(upper: &[&[u32]]) -> Pattern {
+    let n = upper.len();
+    let strictly = |i: usize| upper[i].iter().filter(move |&&j| j as usize > i);
+    let lower = Groups::new(n, n, |i| strictly(i).map(move |&j| (j, i as u32)));
+    let offsets = offsets(n, |i| lower.of(i).len() + upper[i].len());
+    let mut indices: Vec<u32> = zeroed(offsets[n]);
+    for_rows(
+        n,
+        |row| offsets[row],
+        &mut indices[..],
+        |i, indices: &mut [u32]| {
+            let (low, high) = indices.split_at_mut(lower.of(i).len());
+            low.copy_from_slice(lower.of(i));
+            high.copy_from_slice(upper[i]);
+        },
+    );
+    Pattern::new(n, offsets, indices)
 }
 
 #[cfg(test)]
@@ -105,15 +108,15 @@ mod tests {
     #[test]
     fn rows_of_several_chunks_are_mirrored() {
         let [mut first, mut second] = [UpperRows::default(), UpperRows::default()];
-        first.push(&[0, 2], [1.0, 5.0].into_iter());
-        first.push(&[2], [7.0].into_iter());
-        second.push(&[2], [3.0].into_iter());
+        first.push([(0, 1.0), (2, 5.0)].into_iter());
+        first.push([(2, 7.0)].into_iter());
+        second.push([(2, 3.0)].into_iter());
         let expected = Csr::new(
             3,
             vec![0, 2, 3, 6],
             vec![0, 2, 2, 0, 1, 2],
             vec![1.0, 5.0, 7.0, 5.0, 7.0, 3.0],
         );
-        assert_eq!(from_upper(3, &[first, second]), expected.unwrap());
+        assert_eq!(from_upper(3, &[first, second], None), expected.unwrap());
     }
 }

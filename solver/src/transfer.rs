@@ -6,11 +6,10 @@ use crate::diagonal::Diagonal;
 use crate::dofs::Dofs;
 use crate::entry::Entry;
 use crate::error::{Error, check_finite, check_size};
-use crate::galerkin::constrained_galerkin;
+use crate::level::Kept;
 use crate::projectors::Projectors;
 use crate::rows::build_rows;
 use crate::smoothed::{galerkin_of_entries, smoothed};
-use crate::transpose::transpose;
 use crate::weights::Weights;
 use octruss_mesh::SubdivisionMatrix;
 
@@ -47,25 +46,25 @@ impl<E: Entry<Real = f64>> Transfer<E> {
         check_finite("coarse matrix", E::flat(coarse.values()))
     }
 
-    /// Prolongation, restriction and coarse matrix, given the matrix of this level and
-    /// the constrained rows of this and the coarse level.
-    pub(crate) fn apply(
+    /// What the cycle keeps of it and the coarse matrix, given the matrix of this level,
+    /// and the constrained rows of this and the coarse level.
+    pub(crate) fn apply<F: Entry>(
         self,
         (matrix, diagonal): (&Csr<E>, &Diagonal<E>),
         [fine, coarse]: [&Projectors<E>; 2],
-    ) -> (Weights<E>, Weights<E>, Csr<E>) {
+    ) -> (Kept<F>, Csr<E>) {
         let Self { prolongation: p, smooth, coarse_matrix } = self;
         if smooth {
             let p = smoothed((matrix, diagonal), &p, [fine, coarse]);
             let given = coarse_matrix.unwrap_or_else(|| galerkin_of_entries(matrix, &p, coarse));
-            let p = Weights::Entries(p);
-            let restriction = p.transposed();
-            return (p, restriction, given);
+            return (Kept::new(Weights::Entries(p.cast_scaled(1.0))), given);
         }
-        let restriction = transpose(&p);
-        let given = coarse_matrix
-            .unwrap_or_else(|| constrained_galerkin((matrix, fine), (&p, &restriction), coarse));
-        (Weights::Numbers(p), Weights::Numbers(restriction), given)
+        // Rounded before any product: coarse matrices belong to the prolongation that
+        // the cycle uses.
+        let kept = Kept::new(Weights::Numbers(p.cast()));
+        let product = || kept.galerkin((matrix, fine), coarse, None);
+        let given = coarse_matrix.or_else(product).expect("the weights are numbers");
+        (kept, given)
     }
 }
 

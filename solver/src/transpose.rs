@@ -2,28 +2,25 @@
 
 use crate::csr::Csr;
 use crate::entry::Entry;
+use crate::rows::build_rows;
+use octruss_mesh::groups::Groups;
 
-/// Aᵀ by a counting sort on columns; blocks are transposed too. Rows are visited
-/// in order, so the columns of the result ascend by themselves.
+/// Aᵀ by grouping entries by columns; blocks are transposed too. Entries of a column
+/// come in the order of their rows, so the columns of the result ascend by
+/// themselves.
 pub fn transpose<E: Entry>(matrix: &Csr<E>) -> Csr<E> {
-    let mut offsets = vec![0usize; matrix.columns() + 1];
-    for &j in matrix.indices() {
-        offsets[j as usize + 1] += 1;
-    }
-    for j in 0..matrix.columns() {
-        offsets[j + 1] += offsets[j];
-    }
-    let mut next = offsets.clone();
-    let mut indices = vec![0u32; matrix.nonzeros()];
-    let mut values = vec![E::default(); matrix.nonzeros()];
-    for i in 0..matrix.rows() {
-        let (row_indices, row_values) = matrix.row(i);
-        for (&j, &v) in row_indices.iter().zip(row_values) {
-            let at = next[j as usize];
-            next[j as usize] += 1;
-            indices[at] = i as u32;
-            values[at] = v.transposed();
-        }
-    }
-    Csr::trusted(matrix.rows(), offsets, indices, values)
+    let columns = Groups::new(matrix.columns(), matrix.rows(), |i| {
+        let (columns, values) = matrix.row(i);
+        columns.iter().zip(values).map(move |(&j, &value)| (j, (i as u32, value)))
+    });
+    build_rows(
+        (matrix.columns(), matrix.rows()),
+        |j| columns.of(j).len(),
+        |j, indices, values| {
+            let places = indices.iter_mut().zip(values);
+            for (&(row, entry), (index, value)) in columns.of(j).iter().zip(places) {
+                (*index, *value) = (row, entry.transposed());
+            }
+        },
+    )
 }

@@ -38,14 +38,6 @@ impl<E: Entry> Weights<E> {
         }
     }
 
-    /// Rounded to another precision.
-    pub(crate) fn cast<F: Entry>(&self) -> Weights<F> {
-        match self {
-            Self::Numbers(weights) => Weights::Numbers(weights.cast()),
-            Self::Entries(weights) => Weights::Entries(weights.cast_scaled(1.0)),
-        }
-    }
-
     pub(crate) fn rows(&self) -> usize {
         match self {
             Self::Numbers(weights) => weights.rows(),

@@ -131,6 +131,26 @@ fn constrained_directions_stay_so_and_cost_no_iterations() {
 }
 
 #[test]
+fn an_updated_multigrid_of_blocks_is_that_built_anew_to_the_last_bit() {
+    let free = |[_, y, _]: [f64; 3]| (y == 1.0).then(|| plane([1.0, 2.0, -2.0]));
+    for scheme in [Scheme::Linear, Scheme::BoxSpline] {
+        let bodies = [0.3, 0.45].map(|nu| body(kuhn_cube(2), 2, (scheme, nu, 1), free));
+        let build = |body: &Body| {
+            let (prolongations, projectors) = (body.prolongations.clone(), body.projectors.clone());
+            let options = MultigridOptions::default();
+            Multigrid::constrained(&body.matrix, prolongations, projectors, &options).unwrap()
+        };
+        let applied = |mut multigrid: Multigrid<Block>| {
+            let mut z = vec![[0.0; 3]; bodies[1].matrix.rows()];
+            multigrid.apply(&right_side(&bodies[1]), &mut z);
+            (z, multigrid.levels().to_vec())
+        };
+        let updated = build(&bodies[0]).updated(&bodies[1].matrix).unwrap();
+        assert_eq!(applied(updated), applied(build(&bodies[1])));
+    }
+}
+
+#[test]
 fn blocks_have_the_same_bits_for_any_number_of_threads() {
     let cube = cube(Scheme::BoxSpline);
     for smoother in [MultigridOptions::default().smoother, Smoother::ColouredGaussSeidel] {

@@ -264,6 +264,59 @@ fn quadratic_transfer_is_exact_for_quadratics() {
 }
 
 #[test]
+fn an_updated_multigrid_is_that_built_anew_to_the_last_bit() {
+    for scheme in [Scheme::Linear, Scheme::BoxSpline] {
+        let cube = cube(3, scheme);
+        // The same places, other numbers.
+        let stretched = ByRegion::from(Scalar::function(|[x, y, _]| 1.0 + x + 30.0 * y * y));
+        let fixed = (1..=6).map(|side| (side, 0.0.into())).collect();
+        let problem = Poisson { coefficient: stretched, fixed, ..Poisson::default() };
+        let (mesh, topology) = (cube.hierarchy.finest(), cube.hierarchy.topologies.last().unwrap());
+        let other = assemble(mesh, topology, &problem).unwrap().matrix;
+        let smoothers = [
+            MultigridOptions::default().smoother,
+            Smoother::ColouredGaussSeidel,
+            Smoother::L1Jacobi,
+        ];
+        for (smoother, precision) in
+            smoothers.into_iter().zip([Precision::Single, Precision::Double, Precision::Single])
+        {
+            let options = MultigridOptions { smoother, precision, ..Default::default() };
+            let applied = |mut multigrid: Multigrid| {
+                let mut z = vec![0.0; other.rows()];
+                multigrid.apply(&noise(other.rows(), 14), &mut z);
+                (z, multigrid.levels().to_vec())
+            };
+            let new = Multigrid::new(&other, cube.prolongations.clone(), &options).unwrap();
+            let updated = cube.multigrid(&options).updated(&other).unwrap();
+            assert_eq!(applied(updated), applied(new));
+            // And back again, through two updates.
+            let there = cube.multigrid(&options).updated(&other).unwrap();
+            let back = there.updated(&cube.system.matrix).unwrap();
+            assert_eq!(applied(back), applied(cube.multigrid(&options)));
+        }
+        let smaller = self::cube(2, scheme).system.matrix;
+        let refused = cube.multigrid(&MultigridOptions::default()).updated(&smaller);
+        assert!(matches!(refused, Err(Error::Pattern)));
+    }
+}
+
+#[test]
+fn set_up_has_the_same_bits_for_any_number_of_threads() {
+    let cube = cube(4, Scheme::BoxSpline);
+    let products = [1, 2, 3].map(|threads| {
+        let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
+        pool.install(|| {
+            let restriction = transpose(&cube.prolongations[0]);
+            let coarse = galerkin(&cube.system.matrix, &cube.prolongations[0], &restriction);
+            (restriction, coarse, cube.multigrid(&Default::default()).levels().to_vec())
+        })
+    });
+    assert_eq!(products[0], products[1]);
+    assert_eq!(products[0], products[2]);
+}
+
+#[test]
 fn the_account_counts_bytes_from_array_sizes() {
     let cube = cube(2, Scheme::Linear);
     let mut multigrid = cube.multigrid(&MultigridOptions::default());

@@ -73,7 +73,7 @@ pub(super) fn carry<E: Entry<Real = f64>>(
     Ok(prolongations.iter().map(carried).collect())
 }
 
-/// The solution of a level, to ten digits.
+/// The solution of a level to the tolerance of the stage.
 fn solution<E: Entry<Real = f64>>(
     options: &Solve,
     hierarchy: &Hierarchy,
@@ -84,6 +84,7 @@ fn solution<E: Entry<Real = f64>>(
     let (matrix, cycle) = (&discrete.matrix, options.multigrid_options());
     let projectors = discrete.projectors();
     let mut multigrid = Multigrid::with_transfers(matrix, transfers, projectors, &cycle)?;
-    let goal = SolveOptions { tolerance: 1e-10, max_iterations: 500, ..SolveOptions::default() };
+    let (tolerance, max_iterations) = (options.tolerance.0, options.max_iterations);
+    let goal = SolveOptions { tolerance, max_iterations, ..SolveOptions::default() };
     conjugate_gradients(matrix, &discrete.rhs, &mut multigrid, &goal).map(|(x, _)| x)
 }

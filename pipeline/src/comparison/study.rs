@@ -44,6 +44,7 @@ pub fn compare(
             }
             let (more_rows, more_carried) = match study.solve.problem {
                 Problem::Poisson => study.level(&hierarchy, geometry, poisson::discretise)?,
+                Problem::Biharmonic => study.level(&hierarchy, geometry, biharmonic::discretise)?,
                 Problem::Elasticity => study.level(&hierarchy, geometry, elasticity::discretise)?,
             };
             rows.splice(0..0, more_rows);

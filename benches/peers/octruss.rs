@@ -31,7 +31,8 @@ fn main() -> Result<()> {
     }
 }
 
-#[cfg(test)]
+// Only Linux tells the peak of memory.
+#[cfg(all(test, target_os = "linux"))]
 mod tests {
     use super::*;
 

@@ -21,7 +21,7 @@ COMMON = {
     "-ksp_max_it": "1000",
 }
 # The fastest that we found among the settings that the manuals name for three dimensions:
-# BoomerAMG's own defaults take three to ten times as long; of GAMG no setting beat them.
+# BoomerAMG's own defaults take five to nine times as long; for GAMG nothing beat them throughout.
 BOOMERAMG = {
     "-pc_type": "hypre",
     "-pc_hypre_type": "boomeramg",

@@ -14,7 +14,7 @@ import pyamg
 from measure import System, forget_peak, peak, resident
 from scipy import sparse
 
-# The fastest that we found: the defaults take up to twice as long.
+# The fastest that we found: the defaults take up to 2.6 times as long.
 SETTINGS = {
     "strength": ("symmetric", {"theta": 0.02}),
     "improve_candidates": None,

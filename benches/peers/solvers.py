@@ -151,7 +151,7 @@ def check_same(result, case):
     norm = result[LINEAR]["solution_norm"]
     for name, got in result.items():
         if not got["relative_residual"] <= 1.01e-8:
-            print(f"{case}: {name} ended at {got['relative_residual']:.1e}", file=sys.stderr)
+            print(f"{case}: {name} ended at a residual of {got['relative_residual']:.1e}", file=sys.stderr)
         if abs(got["solution_norm"] / norm - 1) > SAME:
             raise SystemExit(f"{case}: {name} solved another system than Octruss")
 
@@ -161,20 +161,23 @@ def total(got):
 
 
 def print_table(results):
-    print("| system | solver | set-up, s | solve, s | both, s | iterations | memory, MB |")
-    print("| --- | --- | --- | --- | --- | --- | --- |")
+    """A row for each system, a column for each solver."""
+    names = list(next(iter(results.values())))
+    print("| set-up + solve in s, iterations, peak in MB |", " | ".join(names), "|")
+    print("|", " | ".join(["---"] * (len(names) + 1)), "|")
     for (body, problem, _), result in results.items():
-        unknowns = result[LINEAR]["unknowns"]
-        for name, got in result.items():
-            seconds = [got["setup_seconds"], got["solve_seconds"], total(got)]
-            cells = [f"{body}, {problem}, {unknowns:,}", name, *(f"{s:.2f}" for s in seconds)]
-            cells += [f"{got['iterations']:.0f}", f"{got['peak_bytes'] / 1e6:,.0f}"]
-            print("|", " | ".join(cells), "|")
+        cells = [f"{problem.capitalize()}, {body}, {result[LINEAR]['unknowns']:,} unknowns"]
+        for got in result.values():
+            seconds = f"{got['setup_seconds']:.2f} + {got['solve_seconds']:.2f}"
+            cells.append(f"{seconds}, {got['iterations']:.0f}, {got['peak_bytes'] / 1e6:,.0f}")
+        print("|", " | ".join(cells), "|")
 
 
 def print_targets(results):
     """Linear prolongation against the peers: shares of time and memory, set-up in iterations."""
-    print("| large system | of the faster of BoomerAMG and GAMG | of the least memory | set-up, iterations |")
+    heads = ["large system", "time over that of the faster of BoomerAMG and GAMG"]
+    heads += ["memory over the least of a peer", "set-up, iterations"]
+    print("|", " | ".join(heads), "|")
     print("| --- | --- | --- | --- |")
     for (body, problem, size), result in results.items():
         peers = [got for name, got in result.items() if name in PEERS]
@@ -186,15 +189,16 @@ def print_targets(results):
         memory = ours["peak_bytes"] / min(got["peak_bytes"] for got in peers)
         setup = ours["setup_seconds"] * ours["iterations"] / ours["solve_seconds"]
         cells = [
+            f"{problem.capitalize()}, {body}",
             f"{time:.3f} ({verdict(time, TARGETS[body, problem])})",
-            f"{memory:.2f} ({verdict(memory, MOST_MEMORY)})",
+            f"{memory:.3f} ({verdict(memory, MOST_MEMORY)})",
             f"{setup:.1f} ({verdict(setup, MOST_SETUP)})",
         ]
-        print(f"| {body}, {problem} |", " | ".join(cells), "|")
+        print("|", " | ".join(cells), "|")
 
 
 def verdict(found, most):
-    return f"{'hit' if found <= most else 'miss'}, {most}"
+    return f"{'hit' if found <= most else 'miss'}, at most {most}"
 
 
 def main():

@@ -1,0 +1,126 @@
+//! A refined mesh, a problem on it, and everything that a solver needs, in files.
+
+use crate::arrays;
+use crate::system_files::{Description, Prolongation, array, write_matrix};
+use anyhow::{Context, Result, bail};
+use octruss_mesh::shapes::kuhn_cube;
+use octruss_mesh::{
+    CheckOptions, FeatureOptions, Hierarchy, Scheme, SubdivisionMatrix, TetMesh, check,
+    linear_matrix, prepare, sort_along_curve,
+};
+use octruss_solver::{
+    Constraints, Csr, Dofs, Elasticity, Entry, Held, Material, Nodal, Poisson, Support, assemble,
+    assemble_elasticity, restrict_to_free, vector,
+};
+use std::borrow::Cow;
+use std::fs;
+use std::path::Path;
+use std::time::Instant;
+
+/// Refines a mesh by the box-spline scheme, which leaves the cube as it is, and
+/// writes a problem on the finest level with linear and box-spline prolongations.
+pub fn write(mesh: &str, problem: &str, levels: usize, folder: &Path) -> Result<()> {
+    let features = FeatureOptions::default();
+    let (mesh, _) = sort_along_curve(prepare(coarsest(mesh)?, &features));
+    let mut hierarchy = Hierarchy::new(mesh, &features);
+    for _ in 0..levels {
+        hierarchy.subdivide(Scheme::BoxSpline)?;
+    }
+    fs::create_dir_all(folder).with_context(|| format!("cannot make {}", folder.display()))?;
+    match problem {
+        "poisson" => poisson(&hierarchy, folder),
+        "elasticity" => elasticity(&hierarchy, folder),
+        other => bail!("`{other}` is no problem: expected `poisson` or `elasticity`"),
+    }
+}
+
+fn coarsest(name: &str) -> Result<TetMesh> {
+    if let Some(cells) = name.strip_prefix("cube:") {
+        return Ok(kuhn_cube(cells.parse().context("expected cube:N")?));
+    }
+    let dataset = octruss_meshio::read(name.as_ref())?;
+    Ok(check(dataset.mesh, &CheckOptions::default())?.mesh)
+}
+
+/// −Δu = 1, u = 0 on all surfaces.
+fn poisson(hierarchy: &Hierarchy, folder: &Path) -> Result<()> {
+    let surfaces = hierarchy.finest().raw().ids(2);
+    let fixed: Vec<_> = surfaces.into_iter().map(|surface| (surface, 0.0.into())).collect();
+    let problem = Poisson { source: 1.0.into(), fixed, ..Poisson::default() };
+    let system = assemble(hierarchy.finest(), finest_topology(hierarchy), &problem)?;
+    let dofs = |mesh| Dofs::new(mesh, &problem.fixed);
+    let dofs = hierarchy.meshes.iter().map(dofs).collect::<Result<Vec<_>, _>>()?;
+    write_all(hierarchy, &dofs, (&system.matrix, &system.rhs), folder)
+}
+
+/// E = 1, ν = 0.3, clamped at surface 1 (the side x = 0 of the cube, the bolts of the
+/// bracket), pulled down by a force on its volume.
+fn elasticity(hierarchy: &Hierarchy, folder: &Path) -> Result<()> {
+    let problem = Elasticity {
+        body_force: vector([0.0, 0.0, -1.0]).into(),
+        supports: vec![Support { surface: 1, held: Held::displacement([0.0; 3]) }],
+        ..Elasticity::new(Material::new(1.0, 0.3))
+    };
+    let system = assemble_elasticity(hierarchy.finest(), finest_topology(hierarchy), &problem)?;
+    let levels = hierarchy.meshes.iter().zip(&hierarchy.topologies);
+    let dofs = |(mesh, topology)| {
+        Constraints::new(mesh, topology, &problem.supports).map(|held| held.dofs().clone())
+    };
+    let dofs = levels.map(dofs).collect::<Result<Vec<_>, _>>()?;
+    write_all(hierarchy, &dofs, (&system.matrix, &system.rhs), folder)
+}
+
+fn finest_topology(hierarchy: &Hierarchy) -> &octruss_mesh::Topology {
+    &hierarchy.topologies[hierarchy.topologies.len() - 1]
+}
+
+fn write_all<E: Entry<Real = f64>>(
+    hierarchy: &Hierarchy,
+    dofs: &[Dofs],
+    (matrix, rhs): (&Csr<E>, &[E::Nodal]),
+    folder: &Path,
+) -> Result<()> {
+    write_matrix(folder, "matrix", matrix)?;
+    arrays::write(&array(folder, "rhs"), Nodal::flat(rhs).iter().copied())?;
+    let (points, free) = (hierarchy.finest().points(), dofs[dofs.len() - 1].free());
+    let points: Vec<[f64; 3]> = free.iter().map(|&vertex| points[vertex as usize]).collect();
+    arrays::write(&array(folder, "points"), points.as_flattened().iter().copied())?;
+    let prolongations = [Scheme::Linear, Scheme::BoxSpline]
+        .map(|scheme| write_prolongations(hierarchy, dofs, scheme, folder))
+        .into_iter()
+        .collect::<Result<_>>()?;
+    let rows = dofs.iter().rev().map(Dofs::unknowns).collect();
+    let description = Description { block: E::SIZE, rows, prolongations };
+    fs::write(folder.join("system.json"), serde_json::to_string_pretty(&description)?)?;
+    Ok(())
+}
+
+/// Makes prolongations as a run does: linear ones from the edges, those of the
+/// scheme that refined from its matrices.
+fn write_prolongations(
+    hierarchy: &Hierarchy,
+    dofs: &[Dofs],
+    scheme: Scheme,
+    folder: &Path,
+) -> Result<Prolongation> {
+    let start = Instant::now();
+    let transfers = hierarchy.refinements.iter().zip(&hierarchy.topologies);
+    let matrices: Vec<Cow<SubdivisionMatrix>> = transfers
+        .map(|(refinement, topology)| match scheme {
+            Scheme::Linear => Cow::Owned(linear_matrix(topology)),
+            _ => Cow::Borrowed(&refinement.matrix),
+        })
+        .collect();
+    let pairs = matrices.iter().zip(dofs.windows(2)).rev();
+    let prolongations = pairs
+        .map(|(matrix, pair)| restrict_to_free(matrix, &pair[1], &pair[0]))
+        .collect::<Result<Vec<_>, _>>()?;
+    let seconds = start.elapsed().as_secs_f64();
+    let defects = matrices.iter().enumerate();
+    let defects = defects.map(|(transfer, matrix)| hierarchy.affine_defect(transfer, matrix));
+    let affine_defect = defects.fold(0.0, f64::max);
+    for (number, prolongation) in prolongations.iter().enumerate() {
+        write_matrix(folder, &format!("{}.{number}", scheme.name()), prolongation)?;
+    }
+    Ok(Prolongation { name: scheme.name().into(), seconds, affine_defect })
+}

@@ -81,6 +81,7 @@ fn box_splines_keep_their_iterations_where_linear_interpolation_loses_them() {
     let counts = [Scheme::BoxSpline, Scheme::Linear]
         .map(|scheme| [2, 3, 4].map(|level| cube.iterations(level, scheme)));
     println!("box-spline {:?}, linear {:?}", counts[0], counts[1]);
+    assert!(false);
 }
 
 #[test]

@@ -1,0 +1,130 @@
+//! `octruss compare`: every variant in one table, in every form.
+
+mod common;
+
+use std::path::Path;
+
+use common::{code, octruss, repository, stderr, succeed};
+use serde_json::Value;
+
+/// Compares on two small levels of the torus; what was printed, and the JSON.
+fn compare(folder: &Path, more: &[&str]) -> (String, Value) {
+    let config = repository("configs/prolongation-study-torus.toml").display().to_string();
+    let small = ["compare", &config, "--out", "c", "--set", "compare.levels=[1, 2]"];
+    let small = small.iter().chain(&["--set", "compare.repeats=1"]).chain(more);
+    let printed = succeed(folder, &small.map(|text| text.to_string()).collect::<Vec<_>>());
+    let json = std::fs::read_to_string(folder.join("c/compare.json")).unwrap();
+    (printed, serde_json::from_str(&json).unwrap())
+}
+
+fn number(row: &Value, key: &str) -> f64 {
+    row[key].as_f64().unwrap_or_else(|| panic!("{key} of {row}"))
+}
+
+#[test]
+fn every_variant_has_its_row() {
+    let folder = tempfile::tempdir().unwrap();
+    let (printed, json) = compare(folder.path(), &[]);
+    let rows = json["rows"].as_array().unwrap();
+    // Geometries, levels, sweeps, prolongations, coarse operators.
+    assert_eq!(rows.len(), 2 * 2 * 2 * 3 * 2);
+    for row in rows {
+        assert_eq!((&row["problem"], &row["body"]), (&"elasticity".into(), &"torus".into()));
+        assert!(number(row, "iterations") > 3.0 && number(row, "unknowns") > 1000.0);
+        assert!(number(row, "operator_complexity") > 1.0 && number(row, "bytes_per_digit") > 1e5);
+        assert!(number(row, "setup_seconds") > 0.0 && number(row, "solve_seconds") > 0.0);
+        assert!(number(row, "mean_reduction") < 1.0 && number(row, "asymptotic_reduction") < 1.0);
+        assert_eq!(row["affine_correction"], "auto");
+        let exact = row["prolongation"] == "box-spline" || row["geometry"] == "flat";
+        assert_eq!(number(row, "affine_defect") < 1e-8, exact, "{row}");
+    }
+    let find = |geometry: &str, prolongation: &str| {
+        let wanted = [
+            ("geometry", geometry),
+            ("prolongation", prolongation),
+            ("coarse_operator", "galerkin"),
+            ("cycle", "V(2,2)"),
+        ];
+        let found = rows
+            .iter()
+            .find(|row| row["level"] == 2 && wanted.iter().all(|(key, value)| row[*key] == *value));
+        number(found.unwrap(), "iterations")
+    };
+    assert!(2.0 * find("subdivided", "box-spline") <= find("subdivided", "linear"));
+    assert!(find("flat", "box-spline") <= find("flat", "linear"));
+    // Chang's test: on the subdivided body the scheme carries the solution far better.
+    let carried = json["carried"].as_array().unwrap();
+    assert_eq!(carried.len(), 2 * 2 * 2);
+    let energy = |prolongation: &str| {
+        let found = carried.iter().find(|carried| {
+            carried["geometry"] == "subdivided"
+                && carried["level"] == 2
+                && carried["prolongation"] == prolongation
+        });
+        number(found.unwrap(), "energy_difference")
+    };
+    assert!(3.0 * energy("box-spline") < energy("linear"));
+    // A verdict for each geometry, printed below the tables.
+    let verdict = json["verdict"].as_array().unwrap();
+    assert_eq!(verdict.len(), 2);
+    assert!(verdict.iter().all(|sentence| printed.contains(sentence.as_str().unwrap())));
+    assert!(verdict[1].as_str().unwrap().contains("subdivision prolongation wins"));
+}
+
+#[test]
+fn the_same_numbers_come_as_text_csv_json_and_picture() {
+    let folder = tempfile::tempdir().unwrap();
+    let few = ["--set", "compare.sweeps=[1]", "--set", "compare.coarse-operator=[\"galerkin\"]"];
+    let (printed, json) = compare(folder.path(), &few);
+    let file = |name: &str| std::fs::read_to_string(folder.path().join("c").join(name)).unwrap();
+    assert_eq!(printed, file("compare.txt"));
+    let csv = file("compare.csv");
+    let mut lines = csv.lines();
+    let names: Vec<&str> = lines.next().unwrap().split(',').collect();
+    let column = |name: &str| names.iter().position(|other| *other == name).unwrap();
+    let rows = json["rows"].as_array().unwrap();
+    assert_eq!(rows.len(), 2 * 2 * 3);
+    for (line, row) in lines.zip(rows) {
+        let cells: Vec<&str> = line.split(',').collect();
+        assert_eq!(cells.len(), names.len());
+        assert_eq!(cells[column("prolongation")], row["prolongation"]);
+        for key in ["iterations", "mean_reduction", "affine_defect", "setup_seconds"] {
+            assert_eq!(cells[column(key)].parse::<f64>().unwrap(), number(row, key), "{key}");
+        }
+    }
+    let picture = file("compare.svg");
+    assert!(picture.starts_with("<svg") && picture.contains("smoothed-linear"));
+    assert!(picture.contains("iterations to the tolerance, subdivided"));
+}
+
+#[test]
+fn what_cannot_be_compared_is_told() {
+    let folder = tempfile::tempdir().unwrap();
+    let mesh = repository("examples/meshes/cube.msh").display().to_string();
+    let import = format!("name = \"c\"\n[[stage]]\nkind = \"import\"\npath = \"{mesh}\"\n");
+    let check = format!("{import}[[stage]]\nkind = \"check\"\n");
+    let refine = format!("{check}[[stage]]\nkind = \"subdivide\"\nlevels = 1\n");
+    let solve = "[[stage]]\nkind = \"solve\"\nfixed = [{ surface = \"x0\", value = 0 }]\n";
+    let cases = [
+        (check.clone(), 1, "there is no stage `subdivide`"),
+        (refine.clone(), 1, "there is no stage `solve` after `subdivide`"),
+        (
+            format!("{refine}{solve}[compare]\nlevels = [1, 2]\n"),
+            1,
+            "`compare.levels` names level 2, but stage `subdivide` makes 1",
+        ),
+        (
+            format!("{refine}{solve}[compare]\ngeometry = [\"flatt\"]\n"),
+            2,
+            "unknown geometry `flatt`; did you mean `flat`?",
+        ),
+        (format!("{refine}{solve}[compare]\nsweep = [1]\n"), 2, "unknown key `sweep`"),
+    ];
+    for (config, expected, says) in cases {
+        std::fs::write(folder.path().join("c.toml"), config).unwrap();
+        let run = octruss(folder.path(), &["compare", "c.toml"]);
+        assert_eq!(code(&run), expected, "{}", stderr(&run));
+        assert!(stderr(&run).contains(says), "{says}:\n{}", stderr(&run));
+        assert!(!folder.path().join("out").exists());
+    }
+}

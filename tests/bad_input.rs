@@ -172,10 +172,16 @@ const TABLE: [Spoilt; 34] = [
         1,
     ),
     spoilt(
-        ["[\"linear\"]", "[\"box-spline\"]"],
-        "stage `solve`: prolongation `box-spline` needs levels that it refined",
-        1,
+        ["[\"linear\"]", "[\"linear\", \"linear\"]"],
+        "17:16: `prolongation` in stage `solve`: entry 2 of the list stands in it before",
+        2,
     ),
+    spoilt(
+        ["[\"linear\"]", "[\"smoothed-lineer\"]"],
+        "unknown prolongation `smoothed-lineer`; did you mean `smoothed-linear`?",
+        2,
+    ),
+    spoilt(["[\"linear\"]", "[{ finest = \"linear\" }]"], "missing key `coarser`", 2),
     spoilt(
         ["fixed = [{ surface = \"x0\", value = 0 }]", ""],
         "stage `solve`, assembly: nothing is fixed",

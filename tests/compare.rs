@@ -94,7 +94,7 @@ fn the_same_numbers_come_as_text_csv_json_and_picture() {
     }
     let picture = file("compare.svg");
     assert!(picture.starts_with("<svg") && picture.contains("smoothed-linear"));
-    assert!(picture.contains("iterations to the tolerance, subdivided"));
+    assert!(picture.contains("iterations, subdivided"));
 }
 
 #[test]
@@ -106,12 +106,12 @@ fn what_cannot_be_compared_is_told() {
     let refine = format!("{check}[[stage]]\nkind = \"subdivide\"\nlevels = 1\n");
     let solve = "[[stage]]\nkind = \"solve\"\nfixed = [{ surface = \"x0\", value = 0 }]\n";
     let cases = [
-        (check.clone(), 1, "there is no stage `subdivide`"),
-        (refine.clone(), 1, "there is no stage `solve` after `subdivide`"),
+        (check.clone(), 2, "c.toml: cannot compare: there is no stage `subdivide`"),
+        (refine.clone(), 2, "c.toml: cannot compare: there is no stage `solve` after `subdivide`"),
         (
             format!("{refine}{solve}[compare]\nlevels = [1, 2]\n"),
-            1,
-            "`compare.levels` names level 2, but stage `subdivide` makes 1",
+            2,
+            "c.toml:12:1: cannot compare: `compare.levels` names level 2, but stage `subdivide` makes 1",
         ),
         (
             format!("{refine}{solve}[compare]\ngeometry = [\"flatt\"]\n"),
@@ -119,6 +119,16 @@ fn what_cannot_be_compared_is_told() {
             "unknown geometry `flatt`; did you mean `flat`?",
         ),
         (format!("{refine}{solve}[compare]\nsweep = [1]\n"), 2, "unknown key `sweep`"),
+        (
+            format!("{refine}{solve}[compare]\nsweeps = []\n"),
+            2,
+            "`sweeps`: expected a list of at least one",
+        ),
+        (
+            format!("{refine}{solve}[compare]\nsweeps = [1, 2, 1]\n"),
+            2,
+            "`sweeps`: entry 3 of the list stands in it before",
+        ),
     ];
     for (config, expected, says) in cases {
         std::fs::write(folder.path().join("c.toml"), config).unwrap();
@@ -127,4 +137,22 @@ fn what_cannot_be_compared_is_told() {
         assert!(stderr(&run).contains(says), "{says}:\n{}", stderr(&run));
         assert!(!folder.path().join("out").exists());
     }
+}
+
+#[test]
+fn variants_that_do_not_converge_have_rows_without_figures() {
+    let folder = tempfile::tempdir().unwrap();
+    let few = ["--set", "stage.solve.max-iterations=12", "--set", "compare.sweeps=[2]"];
+    let (printed, json) = compare(folder.path(), &few);
+    let rows = json["rows"].as_array().unwrap();
+    let failed: Vec<&Value> = rows.iter().filter(|row| row["iterations"].is_null()).collect();
+    assert!(!failed.is_empty() && failed.len() < rows.len());
+    for row in failed {
+        assert!(row["solve_seconds"].is_null() && row["bytes_per_digit"].is_null());
+        assert!(number(row, "mean_reduction") > 0.0);
+    }
+    assert!(!printed.contains("NaN"));
+    let none = ["--set", "stage.solve.max-iterations=1"];
+    let (printed, _) = compare(folder.path(), &none);
+    assert!(printed.contains("level 2: no variant converged."), "{printed}");
 }

@@ -61,14 +61,6 @@ pub enum Error {
         /// What was asked for, and what is there.
         message: String,
     },
-    /// A config does not say what to compare, or on what.
-    #[error("cannot compare `{config}`: {message}")]
-    Compare {
-        /// The config's name.
-        config: String,
-        /// What is missing or wrong.
-        message: String,
-    },
     /// A name in the config that the mesh does not have.
     #[error(transparent)]
     Name(ConfigError),

@@ -34,7 +34,15 @@ pub const UNFINISHED: &str = "unfinished.vtu";
 /// # Errors
 /// If there is one that the system does not let go.
 pub fn remove_earlier(folder: &Path) -> Result<(), Error> {
-    for name in ["report.json", UNFINISHED] {
+    remove(folder, &["report.json", UNFINISHED])
+}
+
+/// Removes files of these names, where they are.
+///
+/// # Errors
+/// If there is one that the system does not let go.
+pub fn remove(folder: &Path, names: &[&str]) -> Result<(), Error> {
+    for name in names {
         let path = folder.join(name);
         match std::fs::remove_file(&path) {
             Err(error) if path.exists() => {

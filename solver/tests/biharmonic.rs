@@ -81,7 +81,9 @@ fn box_splines_keep_their_iterations_where_linear_interpolation_loses_them() {
     let counts = [Scheme::BoxSpline, Scheme::Linear]
         .map(|scheme| [2, 3, 4].map(|level| cube.iterations(level, scheme)));
     println!("box-spline {:?}, linear {:?}", counts[0], counts[1]);
-    assert!(false);
+    // Measured: 9, 10, 12 with box splines, 14, 23, 37 with linear prolongation.
+    assert!(counts[0][2] <= 13 && counts[0].windows(2).all(|pair| pair[1] <= pair[0] + 2));
+    assert!(counts[1][2] >= 2 * counts[0][2] && counts[1][2] <= 42);
 }
 
 #[test]

@@ -16,7 +16,9 @@ use super::{Threads, interrupt};
     affine-correction, interface-rows, coarse-operator, sweeps, smoother, repeats. Every list\n\
     goes with every other; without the table the prolongations of the first stage `solve` are\n\
     compared on both geometries and all levels. Tables, CSV, JSON and a picture go to\n\
-    out/NAME as compare.txt, .csv, .json and .svg.")]
+    out/NAME as compare.txt, .csv, .json and .svg. Every solve is by conjugate gradients; the\n\
+    stages before `subdivide`, `subdivide` and the first `solve` after it are looked at, other\n\
+    stages and [expect] are not. Ctrl-C ends it without a table.")]
 pub struct Compare {
     /// Config file
     #[arg(value_name = "CONFIG")]
@@ -39,6 +41,7 @@ impl Compare {
         let recipe = Recipe::load(&self.config, &self.set).map_err(octruss::Error::from)?;
         let folder = self.out.clone().unwrap_or_else(|| Path::new("out").join(&recipe.name));
         octruss::output::check_folder(&folder)?;
+        comparison::Comparison::remove_earlier(&folder)?;
         let stop = interrupt::flag()?;
         let display = Display::new(self.quiet);
         let listener = |stage: usize, stages: usize, label: &str, news| {

@@ -30,7 +30,8 @@ pub struct Carried {
 }
 
 /// Carries the solution of the level below the finest up by each prolongation. What is
-/// prescribed on the finer level does not count.
+/// prescribed on the finer level does not count. Nothing comes of a solution that is
+/// zero or that was not reached.
 ///
 /// # Errors
 /// Whatever the solver reports.
@@ -42,9 +43,11 @@ pub(super) fn carry<E: Entry<Real = f64>>(
     (coarse_hierarchy, coarse): (&Hierarchy, &Discrete<E>),
 ) -> Result<Vec<Carried>, Error> {
     let transfer = coarse_hierarchy.refinements.len();
-    let computed = solution(options, hierarchy, fine)?;
+    let solutions =
+        (solution(options, hierarchy, fine)?, solution(options, coarse_hierarchy, coarse)?);
+    let (Some(computed), Some(coarse_solution)) = solutions else { return Ok(Vec::new()) };
     let coarse_level = coarse.levels.last().expect("there is at least one level");
-    let coarse_values = coarse_level.expand(&solution(options, coarse_hierarchy, coarse)?);
+    let coarse_values = coarse_level.expand(&coarse_solution);
     let energy = |v: &[E::Nodal]| {
         let mut image = v.to_vec();
         kernels::product(&fine.matrix, v, &mut image);
@@ -73,12 +76,13 @@ pub(super) fn carry<E: Entry<Real = f64>>(
     Ok(prolongations.iter().map(carried).collect())
 }
 
-/// The solution of a level to the tolerance of the stage.
+/// The solution of a level to the tolerance of the stage; none if that is not reached,
+/// or the solution is zero.
 fn solution<E: Entry<Real = f64>>(
     options: &Solve,
     hierarchy: &Hierarchy,
     discrete: &Discrete<E>,
-) -> Result<Vec<E::Nodal>, Error> {
+) -> Result<Option<Vec<E::Nodal>>, Error> {
     let which = options.transfer_options(options.prolongation[0]);
     let (transfers, _) = transfers(&which, hierarchy, &discrete.levels)?;
     let (matrix, cycle) = (&discrete.matrix, options.multigrid_options());
@@ -86,5 +90,9 @@ fn solution<E: Entry<Real = f64>>(
     let mut multigrid = Multigrid::with_transfers(matrix, transfers, projectors, &cycle)?;
     let (tolerance, max_iterations) = (options.tolerance.0, options.max_iterations);
     let goal = SolveOptions { tolerance, max_iterations, ..SolveOptions::default() };
-    conjugate_gradients(matrix, &discrete.rhs, &mut multigrid, &goal).map(|(x, _)| x)
+    match conjugate_gradients(matrix, &discrete.rhs, &mut multigrid, &goal) {
+        Ok((x, _)) => Ok(Some(x).filter(|x| norm(x) > 0.0)),
+        Err(Error::NotConverged(_) | Error::NotPositiveDefinite { .. }) => Ok(None),
+        Err(error) => Err(error),
+    }
 }

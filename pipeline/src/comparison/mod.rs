@@ -28,6 +28,9 @@ pub use study::compare;
 use crate::error::Error;
 use crate::output;
 
+/// What a comparison writes.
+const FILES: [&str; 4] = ["compare.txt", "compare.csv", "compare.json", "compare.svg"];
+
 /// What a comparison found.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Comparison {
@@ -53,6 +56,15 @@ impl Comparison {
         text::text(self)
     }
 
+    /// Removes what [`Comparison::write`] wrote before, so that nothing is taken for the
+    /// comparison of now.
+    ///
+    /// # Errors
+    /// If the system does not let a file go.
+    pub fn remove_earlier(folder: &Path) -> Result<(), Error> {
+        output::remove(folder, &FILES)
+    }
+
     /// Writes `compare.txt`, `compare.csv`, `compare.json` and `compare.svg`; returns
     /// the files.
     ///
@@ -61,14 +73,9 @@ impl Comparison {
     pub fn write(&self, folder: &Path) -> Result<Vec<PathBuf>, Error> {
         output::create_folder(folder)?;
         let json = serde_json::to_string_pretty(self).expect("a comparison has only string keys");
-        let files = [
-            ("compare.txt", self.text()),
-            ("compare.csv", text::csv(&self.rows)),
-            ("compare.json", json + "\n"),
-            ("compare.svg", picture::svg(&self.rows)),
-        ];
+        let contents = [self.text(), text::csv(&self.rows), json + "\n", picture::svg(&self.rows)];
         let mut paths = Vec::new();
-        for (name, content) in files {
+        for (name, content) in FILES.into_iter().zip(contents) {
             let path = folder.join(name);
             write_aside(&path, |file| file.write_all(content.as_bytes()))?;
             paths.push(path);

@@ -2,11 +2,11 @@
 
 use std::num::NonZeroU8;
 
-use octruss_mesh::{AffineCorrection, InterfaceRows};
+use octruss_mesh::{AffineCorrection, InterfaceRows, Scheme};
 use octruss_solver::Smoother;
 use serde::Deserialize;
 
-use crate::recipe::{Choice, Named, Prolongations, Sweeps};
+use crate::recipe::{Choice, Named, Prolongations, Several, Sweeps};
 use crate::stages::{CoarseOperator, Solve};
 
 /// How the coarse mesh is refined.
@@ -34,31 +34,32 @@ impl Choice for Geometry {
 #[derive(Debug, Clone, PartialEq, Deserialize, Default)]
 #[serde(deny_unknown_fields, rename_all = "kebab-case", default)]
 pub struct Compare {
-    /// Both, unless given.
-    pub geometry: Option<Vec<Named<Geometry>>>,
+    /// Both, unless given; the flat one alone if the scheme is linear.
+    pub geometry: Option<Several<Named<Geometry>>>,
     /// Which levels are solved, the input being 0; all above it unless given.
-    pub levels: Option<Vec<NonZeroU8>>,
+    pub levels: Option<Several<NonZeroU8>>,
     /// What prolongs.
-    pub prolongation: Option<Vec<Prolongations>>,
+    pub prolongation: Option<Several<Prolongations>>,
     /// Which rows are made exact for linear functions.
-    pub affine_correction: Option<Vec<Named<AffineCorrection>>>,
+    pub affine_correction: Option<Several<Named<AffineCorrection>>>,
     /// What rows on interfaces read.
-    pub interface_rows: Option<Vec<Named<InterfaceRows>>>,
+    pub interface_rows: Option<Several<Named<InterfaceRows>>>,
     /// Where coarse matrices come from.
-    pub coarse_operator: Option<Vec<Named<CoarseOperator>>>,
+    pub coarse_operator: Option<Several<Named<CoarseOperator>>>,
     /// Smoothing sweeps before and after each coarse correction.
-    pub sweeps: Option<Vec<Sweeps>>,
+    pub sweeps: Option<Several<Sweeps>>,
     /// What a smoothing sweep is.
-    pub smoother: Option<Vec<Named<Smoother>>>,
+    pub smoother: Option<Several<Named<Smoother>>>,
     /// How often each is set up and solved, for the spread of times; 3 unless given.
     pub repeats: Option<NonZeroU8>,
 }
 
 impl Compare {
-    /// The geometries, each once.
-    pub(super) fn geometries(&self) -> Vec<Geometry> {
+    /// The geometries; by the linear scheme both are the same.
+    pub(super) fn geometries(&self, scheme: Scheme) -> Vec<Geometry> {
         match &self.geometry {
             Some(given) => given.iter().map(|Named(geometry)| *geometry).collect(),
+            None if scheme == Scheme::Linear => vec![Geometry::Flat],
             None => Geometry::ALL.to_vec(),
         }
     }
@@ -68,10 +69,12 @@ impl Compare {
     /// # Errors
     /// A level that is not made.
     pub(super) fn levels(&self, most: u8) -> Result<Vec<usize>, String> {
+        if most == 0 {
+            return Err("stage `subdivide` makes no level: set `levels` to at least 1".into());
+        }
         let Some(given) = &self.levels else { return Ok((1..=most.into()).rev().collect()) };
         let mut levels: Vec<usize> = given.iter().map(|level| level.get().into()).collect();
         levels.sort_unstable_by(|a, b| b.cmp(a));
-        levels.dedup();
         match levels.first() {
             Some(&finest) if finest > most.into() => Err(format!(
                 "`compare.levels` names level {finest}, but stage `subdivide` makes {most}"
@@ -91,7 +94,7 @@ impl Compare {
         vary(&mut variants, &self.sweeps, |solve, one| solve.sweeps = *one);
         let prolongations = self.prolongation.as_ref().unwrap_or(&solve.prolongation);
         vary(&mut variants, &Some(prolongations.clone()), |solve, one| {
-            solve.prolongation = vec![*one];
+            solve.prolongation = Several(vec![*one]);
         });
         vary(&mut variants, &self.interface_rows, |solve, one| solve.interface_rows = *one);
         vary(&mut variants, &self.affine_correction, |solve, one| solve.affine_correction = *one);
@@ -101,7 +104,7 @@ impl Compare {
 }
 
 /// Each variant once for each choice, if there are choices.
-fn vary<T>(variants: &mut Vec<Solve>, choices: &Option<Vec<T>>, set: impl Fn(&mut Solve, &T)) {
+fn vary<T>(variants: &mut Vec<Solve>, choices: &Option<Several<T>>, set: impl Fn(&mut Solve, &T)) {
     let Some(choices) = choices else { return };
     let with = |(variant, choice): (&Solve, &T)| {
         let mut variant = variant.clone();

@@ -1,5 +1,6 @@
 //! One variant on one level: what it needs.
 
+use std::ops::ControlFlow;
 use std::time::Instant;
 
 use octruss_mesh::Hierarchy;
@@ -11,9 +12,9 @@ use serde::Serialize;
 
 use super::plan::Geometry;
 use crate::recipe::Choice;
-use crate::stages::Solve;
 use crate::stages::multigrid::Discrete;
 use crate::stages::transfers::{TransferFigures, reassemble, transfers};
+use crate::stages::{Context, Solve};
 
 /// A variant on a level. Iterations are those of conjugate gradients for noise on the
 /// right; reductions are of the energy norm of the error by the cycle alone.
@@ -59,15 +60,34 @@ pub struct Row {
     pub work_per_digit: Option<f64>,
     /// Prolongations, coarse matrices, factors: the median of the repeats.
     pub setup_seconds: f64,
-    /// Iterating: the median of the repeats.
-    pub solve_seconds: f64,
+    /// Iterating: the median of the repeats; none if the tolerance was not reached.
+    pub solve_seconds: Option<f64>,
     /// The shortest and the longest set-up.
     pub setup_spread: [f64; 2],
     /// The shortest and the longest solve.
-    pub solve_spread: [f64; 2],
+    pub solve_spread: [Option<f64>; 2],
 }
 
 impl Row {
+    /// What is varied, in words: all that is not as it is by default.
+    pub fn variant(&self) -> String {
+        let parts = [
+            self.prolongation.clone(),
+            self.coarse_operator.into(),
+            self.cycle.clone(),
+            self.smoother.clone(),
+            match self.affine_correction {
+                "auto" => String::new(),
+                asked => format!("correction {asked}"),
+            },
+            match self.interface_rows {
+                "strata" => String::new(),
+                asked => format!("{asked} interfaces"),
+            },
+        ];
+        parts.into_iter().filter(|part| !part.is_empty()).collect::<Vec<_>>().join(", ")
+    }
+
     /// The outcome in a few words.
     pub fn result(&self) -> String {
         match self.iterations {
@@ -90,6 +110,7 @@ pub(super) struct Level<'a, E: Entry> {
     pub hierarchy: &'a Hierarchy,
     pub discrete: &'a Discrete<E>,
     pub repeats: usize,
+    pub context: &'a Context<'a>,
 }
 
 impl<E: Entry<Real = f64>> Level<'_, E> {
@@ -112,11 +133,11 @@ impl<E: Entry<Real = f64>> Level<'_, E> {
         solves.extend(report.as_ref().map(|report| report.solve_seconds));
         let factors = reductions(&self.discrete.matrix, &mut multigrid, CYCLES)?;
         let per_digit = |cost: f64| {
-            let report = report.as_ref()?;
+            let report = report.as_ref().filter(|report| report.iterations > 0)?;
             Some(cost * report.iterations as f64 / -report.relative_residual.log10())
         };
-        let [(setup_seconds, setup_spread), (solve_seconds, solve_spread)] =
-            [setups, solves].map(median_and_spread);
+        let (setup_seconds, setup_spread) = median_and_spread(setups).unwrap_or_default();
+        let (solve_seconds, solve_spread) = median_and_spread(solves).unzip();
         let shape = match cycle.shape {
             CycleShape::V => "V",
             CycleShape::W => "W",
@@ -148,7 +169,7 @@ impl<E: Entry<Real = f64>> Level<'_, E> {
             setup_seconds,
             solve_seconds,
             setup_spread,
-            solve_spread,
+            solve_spread: [0, 1].map(|end| solve_spread.map(|spread| spread[end])),
         })
     }
 
@@ -187,9 +208,14 @@ impl<E: Entry<Real = f64>> Level<'_, E> {
         multigrid: &mut Multigrid<E>,
         options: &Solve,
     ) -> Result<Option<SolveReport>, Error> {
+        let tell = |_: usize, _: f64| match self.context.asked_to_stop() {
+            true => ControlFlow::Break(()),
+            false => ControlFlow::Continue(()),
+        };
         let stop = SolveOptions {
             tolerance: options.tolerance.0,
             max_iterations: options.max_iterations,
+            progress: Some(&tell),
             ..SolveOptions::default()
         };
         match conjugate_gradients(&self.discrete.matrix, rhs, multigrid, &stop) {
@@ -215,11 +241,9 @@ fn smoother(cycle: &MultigridOptions) -> String {
     }
 }
 
-/// The median, and the least and greatest; all 0 of nothing.
-fn median_and_spread(mut seconds: Vec<f64>) -> (f64, [f64; 2]) {
+/// The median, and the least and greatest, if there is any.
+fn median_and_spread(mut seconds: Vec<f64>) -> Option<(f64, [f64; 2])> {
     seconds.sort_by(f64::total_cmp);
-    match (seconds.first(), seconds.last()) {
-        (Some(&least), Some(&greatest)) => (seconds[seconds.len() / 2], [least, greatest]),
-        _ => (0.0, [0.0; 2]),
-    }
+    let (&least, &greatest) = (seconds.first()?, seconds.last()?);
+    Some((seconds[seconds.len() / 2], [least, greatest]))
 }

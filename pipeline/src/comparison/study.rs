@@ -14,7 +14,7 @@ use super::row::{Level, Row};
 use super::verdict::verdict;
 use crate::error::Error;
 use crate::progress::{Listener, News, Progress};
-use crate::recipe::{Choice, Named, Prolongation, Recipe};
+use crate::recipe::{Choice, ConfigError, Named, Place, Prolongation, Recipe};
 use crate::run::run_stages;
 use crate::stages::multigrid::Discrete;
 use crate::stages::{Context, Problem, Solve, Stage, Subdivide, biharmonic, elasticity, poisson};
@@ -34,7 +34,7 @@ pub fn compare(
     let start = Instant::now();
     let study = Study::new(recipe, listener, stop)?;
     let (mut rows, mut carried) = (Vec::new(), Vec::new());
-    for geometry in study.plan.geometries() {
+    for geometry in study.plan.geometries(study.subdivide.scheme.0) {
         let mut hierarchy = study.hierarchy(geometry)?;
         for level in &study.levels {
             while hierarchy.refinements.len() > *level {
@@ -85,7 +85,12 @@ impl<'a> Study<'a> {
         listener: &'a Listener,
         stop: &'a AtomicBool,
     ) -> Result<Self, Error> {
-        let refuse = |message: String| Error::Compare { config: recipe.name.clone(), message };
+        let refuse = |message: String| {
+            let path = || Place::File(recipe.source.path().into());
+            let table = recipe.compare.as_ref();
+            let place = table.map_or_else(path, |table| recipe.source.place(&table.span()));
+            Error::Config(ConfigError { place, message: format!("cannot compare: {message}") })
+        };
         let stages = &recipe.stages;
         let found = stages.iter().enumerate().find_map(|(at, stage)| match stage {
             Stage::Subdivide(subdivide) => Some((at, subdivide)),
@@ -103,7 +108,7 @@ impl<'a> Study<'a> {
             Stage::Import(import) => import.path.file_stem(),
             _ => None,
         });
-        let plan = recipe.compare.clone().unwrap_or_default();
+        let plan = recipe.compare.as_ref().map(|table| table.get_ref().clone()).unwrap_or_default();
         let levels = plan.levels(subdivide.levels).map_err(refuse)?;
         Ok(Self {
             recipe,
@@ -158,6 +163,7 @@ impl<'a> Study<'a> {
             geometry,
             hierarchy,
             discrete: &problem,
+            context: &context,
             repeats: self.plan.repeats(),
         };
         let mut rows = Vec::new();
@@ -167,7 +173,10 @@ impl<'a> Study<'a> {
             }
             let what = format!("{} prolongation", variant.prolongation[0]);
             rows.push(context.progress.step(index + 1, variants.len(), &what, || {
-                let row = level.row(variant).map_err(|source| context.solver(&what, source))?;
+                let row = level.row(variant).map_err(|source| match source {
+                    SolverError::Stopped(_) => Error::Stopped { stage: label.clone() },
+                    source => context.solver(&what, source),
+                })?;
                 let result = row.result();
                 Ok::<_, Error>((row, result))
             })?);

@@ -44,26 +44,29 @@ fn rows(rows: &[Row]) -> Vec<Vec<String>> {
         "set-up s",
         "solve s",
     ];
-    let line = |row: &Row| {
-        let or_dash = |value: Option<String>| value.unwrap_or_else(|| "–".into());
-        vec![
-            format!("{} {}", row.geometry, row.level),
-            row.prolongation.clone(),
-            row.coarse_operator.into(),
-            rows_of(row),
-            row.cycle.clone(),
-            row.smoother.clone(),
-            short(row.unknowns),
-            or_dash(row.iterations.map(|its| its.to_string())),
-            format!("{:.3}", row.mean_reduction),
-            format!("{:.3}", row.asymptotic_reduction),
-            format!("{:.2}", row.operator_complexity),
-            or_dash(row.work_per_digit.map(|work| format!("{work:.1}"))),
-            or_dash(row.bytes_per_digit.map(|digit| bytes(digit as u64))),
-            spread(row.setup_seconds, row.setup_spread),
-            spread(row.solve_seconds, row.solve_spread),
-        ]
-    };
+    let line =
+        |row: &Row| {
+            let or_dash = |value: Option<String>| value.unwrap_or_else(|| "–".into());
+            vec![
+                format!("{} {}", row.geometry, row.level),
+                row.prolongation.clone(),
+                row.coarse_operator.into(),
+                rows_of(row),
+                row.cycle.clone(),
+                row.smoother.clone(),
+                short(row.unknowns),
+                or_dash(row.iterations.map(|its| its.to_string())),
+                format!("{:.3}", row.mean_reduction),
+                format!("{:.3}", row.asymptotic_reduction),
+                format!("{:.2}", row.operator_complexity),
+                or_dash(row.work_per_digit.map(|work| format!("{work:.1}"))),
+                or_dash(row.bytes_per_digit.map(|digit| bytes(digit as u64))),
+                spread(row.setup_seconds, row.setup_spread),
+                or_dash(row.solve_seconds.map(|median| {
+                    spread(median, row.solve_spread.map(|end| end.unwrap_or(median)))
+                })),
+            ]
+        };
     std::iter::once(head.map(String::from).to_vec()).chain(rows.iter().map(line)).collect()
 }
 
@@ -76,10 +79,12 @@ fn rows_of(row: &Row) -> String {
         (false, true) => "inexact",
         (false, false) => "exact",
     };
-    match row.interface_rows {
-        "linear" => format!("{affine}, linear interfaces"),
-        _ => affine.into(),
-    }
+    let asked = match row.affine_correction {
+        "auto" => String::new(),
+        asked => format!(" ({asked})"),
+    };
+    let interfaces = if row.interface_rows == "linear" { ", linear interfaces" } else { "" };
+    format!("{affine}{asked}{interfaces}")
 }
 
 fn spread(median: f64, [least, greatest]: [f64; 2]) -> String {

@@ -9,31 +9,34 @@ const TIE: f64 = 1.05;
 /// against the best of those that start from linear interpolation, both by the bytes of
 /// a digit.
 pub(super) fn verdict(rows: &[Row]) -> Vec<String> {
-    let mut sentences = Vec::new();
-    for same in rows.chunk_by(|a, b| a.geometry == b.geometry) {
-        let finest = same.iter().map(|row| row.level).max().unwrap_or_default();
-        let solved =
-            || same.iter().filter(|row| row.level == finest && row.bytes_per_digit.is_some());
-        let is_linear =
-            |row: &&Row| row.prolongation.ends_with("linear") && !row.prolongation.contains('/');
-        let cheapest = |rows: &mut dyn Iterator<Item = &'_ Row>| -> Option<Row> {
-            let least = rows.min_by(|a, b| bytes(a).total_cmp(&bytes(b)));
-            least.cloned()
-        };
-        let linear = cheapest(&mut solved().filter(is_linear));
-        let scheme = cheapest(&mut solved().filter(|row| !is_linear(row)));
-        let place = format!(
-            "{} on the {} {}, level {finest}",
-            same[0].problem, same[0].geometry, same[0].body
-        );
-        sentences.push(match (scheme, linear) {
-            (Some(scheme), Some(linear)) => sentence(&place, &scheme, &linear),
-            _ => format!(
-                "{place}: nothing to compare, since only one kind of prolongation converged."
-            ),
-        });
+    rows.chunk_by(|a, b| a.geometry == b.geometry).map(of_geometry).collect()
+}
+
+fn of_geometry(rows: &[Row]) -> String {
+    let finest = rows.iter().map(|row| row.level).max().unwrap_or_default();
+    let Row { problem, geometry, body, .. } = &rows[0];
+    let place = format!("{problem} on the {geometry} {body}, level {finest}");
+    // None if there is no such variant, Some(None) if none of them converged.
+    let best = |linear: bool| {
+        let on_finest = rows.iter().filter(|row| row.level == finest);
+        let family: Vec<&Row> = on_finest.filter(|row| is_linear(row) == linear).collect();
+        let solved = family.iter().filter(|row| row.bytes_per_digit.is_some());
+        let cheapest = solved.min_by(|a, b| bytes(a).total_cmp(&bytes(b))).copied();
+        (!family.is_empty()).then_some(cheapest)
+    };
+    match (best(false), best(true)) {
+        (Some(Some(scheme)), Some(Some(linear))) => sentence(&place, scheme, linear),
+        (None, _) => format!("{place}: no variant prolongs by a scheme, so there is no verdict."),
+        (_, None) => format!("{place}: no variant is linear, so there is no verdict."),
+        (Some(None), Some(None)) => format!("{place}: no variant converged."),
+        (Some(None), _) => format!("{place}: no variant that prolongs by a scheme converged."),
+        (_, Some(None)) => format!("{place}: no variant that is linear converged."),
     }
-    sentences
+}
+
+/// Whether linear interpolation is all that a variant prolongs by, smoothed or not.
+fn is_linear(row: &Row) -> bool {
+    row.prolongation.split('/').all(|part| matches!(part, "linear" | "smoothed-linear"))
 }
 
 fn bytes(row: &Row) -> f64 {
@@ -43,25 +46,22 @@ fn bytes(row: &Row) -> f64 {
 fn sentence(place: &str, scheme: &Row, linear: &Row) -> String {
     let iterations = |row: &Row| row.iterations.unwrap_or_default();
     let gain = bytes(linear) / bytes(scheme);
-    let seconds = |row: &Row| row.setup_seconds + row.solve_seconds;
     let outcome = match gain {
-        gain if gain > TIE => "subdivision prolongation wins",
-        gain if gain < 1.0 / TIE => "linear interpolation wins",
-        _ => "it is a tie",
+        gain if gain > TIE => format!("subdivision prolongation wins by a factor of {gain:.2}"),
+        gain if gain < 1.0 / TIE => {
+            format!("linear interpolation wins by a factor of {:.2}", 1.0 / gain)
+        }
+        gain => format!("it is a tie (a factor of {:.2})", gain.max(1.0 / gain)),
     };
+    let seconds = |row: &Row| row.setup_seconds + row.solve_seconds.unwrap_or_default();
     format!(
         "{place}: the best by a scheme ({}) takes {} iterations, the best by linear interpolation \
-         ({}) {}; in bytes a digit {outcome} by a factor of {:.2}, and in seconds, set-up \
-         included, the scheme takes {:.2} of the other's time.",
-        variant(scheme),
+         ({}) {}. In bytes a digit {outcome}; in seconds, set-up included, the scheme takes {:.2} \
+         of the other's time.",
+        scheme.variant(),
         iterations(scheme),
-        variant(linear),
+        linear.variant(),
         iterations(linear),
-        gain.max(1.0 / gain),
         seconds(scheme) / seconds(linear),
     )
-}
-
-fn variant(row: &Row) -> String {
-    format!("{}, {}, {}", row.prolongation, row.coarse_operator, row.cycle)
 }

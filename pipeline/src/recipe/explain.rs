@@ -57,6 +57,7 @@ fn in_plain_words(message: &str) -> String {
         ("expected u32", "expected a whole number, 0 or more"),
         ("expected usize", "expected a whole number, 0 or more"),
         ("expected f64", "expected a number"),
+        ("expected struct Compare", "expected a table [compare]"),
         ("expected a boolean", "expected true or false"),
         ("expected a sequence", "expected a list"),
         ("expected a map", "expected a table"),

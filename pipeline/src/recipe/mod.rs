@@ -20,6 +20,7 @@ mod override_;
 mod parse;
 mod per_region;
 mod prolongation;
+mod several;
 mod solver_choice;
 mod source;
 mod sweeps;
@@ -27,6 +28,8 @@ mod value;
 mod value_or;
 
 use std::path::{Path, PathBuf};
+
+use toml::Spanned;
 
 pub use auto::Auto;
 pub use choice::{Choice, Named, SchemeName};
@@ -37,6 +40,7 @@ pub use min_quality::MinQuality;
 pub use nearest::suggestion;
 pub use per_region::{PerRegion, Regional};
 pub use prolongation::{Prolongation, Prolongations};
+pub use several::Several;
 pub use source::Source;
 pub use sweeps::Sweeps;
 pub use value::{Degrees, Ends, Fraction, Positive, Value, VectorValue};
@@ -57,7 +61,7 @@ pub struct Recipe {
     /// What to do, in order.
     pub stages: Vec<Stage>,
     /// What `octruss compare` varies; [`run`](crate::run()) does not look at it.
-    pub compare: Option<Compare>,
+    pub compare: Option<Spanned<Compare>>,
     /// What the report must say, by name.
     pub expectations: Vec<Expectation>,
 }

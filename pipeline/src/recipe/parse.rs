@@ -26,7 +26,7 @@ struct Header {
     #[serde(rename = "stage", default)]
     _stages: IgnoredAny,
     #[serde(default)]
-    compare: Option<Compare>,
+    compare: Option<Spanned<Compare>>,
     #[serde(default)]
     expect: BTreeMap<Spanned<String>, Bounds>,
 }

@@ -1,7 +1,7 @@
 //! The text of a config with its overrides, and the places in it.
 
 use std::ops::Range;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use super::error::{ConfigError, Place};
 
@@ -51,6 +51,11 @@ impl Source {
             })
             .collect();
         Self { path, text, overrides }
+    }
+
+    /// The file.
+    pub fn path(&self) -> &Path {
+        &self.path
     }
 
     /// The file's text.

@@ -22,7 +22,7 @@ use super::{Context, biharmonic, elasticity, poisson, scalar};
 use crate::amount::short;
 use crate::error::Error;
 use crate::recipe::{
-    Auto, Material, Named, PerRegion, Positive, Prolongations, Sweeps, Value, VectorValue,
+    Auto, Material, Named, PerRegion, Positive, Prolongations, Several, Sweeps, Value, VectorValue,
 };
 use crate::state::State;
 
@@ -63,7 +63,7 @@ pub struct Solve {
     /// Elasticity: force per unit of area and of displacement, against it.
     pub springs: Vec<Springs>,
     /// Which matrices prolong, in turn: those of a scheme or `smoothed-linear`.
-    pub prolongation: Vec<Prolongations>,
+    pub prolongation: Several<Prolongations>,
     /// Which rows of them are made exact for linear functions.
     pub affine_correction: Named<AffineCorrection>,
     /// What their rows on interfaces between regions read.
@@ -145,7 +145,7 @@ impl Default for Solve {
             traction: Vec::new(),
             pressure: Vec::new(),
             springs: Vec::new(),
-            prolongation: vec![Scheme::BoxSpline.into(), Scheme::Linear.into()],
+            prolongation: Several(vec![Scheme::BoxSpline.into(), Scheme::Linear.into()]),
             affine_correction: Named(AffineCorrection::default()),
             interface_rows: Named(InterfaceRows::default()),
             coarse_operator: Named(CoarseOperator::Galerkin),
@@ -167,7 +167,6 @@ impl Solve {
     pub(super) fn run(&self, state: &mut State, context: &Context) -> Result<SolveReport, Error> {
         state.levels(&FeatureOptions::default());
         let hierarchy = state.hierarchy.as_ref().ok_or_else(|| context.order("check"))?;
-        self.check_prolongations(context)?;
         let outcome = match self.problem {
             Problem::Poisson => scalar::solve(self, hierarchy, poisson::discretise, context)?,
             Problem::Biharmonic => scalar::solve(self, hierarchy, biharmonic::discretise, context)?,
@@ -191,15 +190,6 @@ impl Solve {
             let message = fixed.get_ref().contradiction(self.problem)?;
             Some((Some(fixed.span()), message))
         })
-    }
-
-    fn check_prolongations(&self, context: &Context) -> Result<(), Error> {
-        let list = &self.prolongation;
-        if list.is_empty() || (1..list.len()).any(|index| list[..index].contains(&list[index])) {
-            let message = "`prolongation` must name at least one, and none twice";
-            return Err(context.request(message.into()));
-        }
-        Ok(())
     }
 
     /// Whether coarse matrices are assembled on the coarse meshes.

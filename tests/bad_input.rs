@@ -42,7 +42,7 @@ const fn spoilt(change: [&'static str; 2], says: &'static str, code: i32) -> Spo
     Spoilt { change, says, code }
 }
 
-const TABLE: [Spoilt; 34] = [
+const TABLE: [Spoilt; 36] = [
     spoilt(
         ["levels", "levles"],
         "9:1: unknown key `levles` in stage `subdivide`; did you mean `levels`? (valid: ",
@@ -90,7 +90,7 @@ const TABLE: [Spoilt; 34] = [
     ),
     spoilt(
         ["name = \"good\"", "nmae = \"good\""],
-        "1:1: unknown key `nmae`; did you mean `name`? (valid: name, stage, expect)",
+        "1:1: unknown key `nmae`; did you mean `name`? (valid: name, stage, compare, expect)",
         2,
     ),
     spoilt(["name = \"good\"", ""], "1:1: missing key `name`", 2),
@@ -158,7 +158,7 @@ const TABLE: [Spoilt; 34] = [
     ),
     spoilt(
         ["tolerance = 1e-8", "tolerance = 1e-8\nproblem = \"poison\""],
-        "19:11: unknown value `poison` in stage `solve`; did you mean `poisson`? (valid: poisson, elasticity)",
+        "19:11: unknown value `poison` in stage `solve`; did you mean `poisson`? (valid: poisson, biharmonic, elasticity)",
         2,
     ),
     spoilt(

@@ -5,8 +5,8 @@ use crate::system_files::{Description, Prolongation, array, write_matrix};
 use anyhow::{Context, Result, bail};
 use octruss_mesh::shapes::kuhn_cube;
 use octruss_mesh::{
-    CheckOptions, FeatureOptions, Hierarchy, Scheme, SubdivisionMatrix, TetMesh, check,
-    linear_matrix, prepare, sort_along_curve,
+    CheckOptions, FeatureOptions, Hierarchy, Scheme, SubdivisionMatrix, TetMesh, check, prepare,
+    sort_along_curve,
 };
 use octruss_solver::{
     Constraints, Csr, Dofs, Elasticity, Entry, Held, Material, Nodal, Poisson, Support, assemble,
@@ -95,8 +95,7 @@ fn write_all<E: Entry<Real = f64>>(
     Ok(())
 }
 
-/// Makes prolongations as a run does: linear ones from the edges, those of the
-/// scheme that refined from its matrices.
+/// Makes prolongations as a run does.
 fn write_prolongations(
     hierarchy: &Hierarchy,
     dofs: &[Dofs],
@@ -104,13 +103,9 @@ fn write_prolongations(
     folder: &Path,
 ) -> Result<Prolongation> {
     let start = Instant::now();
-    let transfers = hierarchy.refinements.iter().zip(&hierarchy.topologies);
-    let matrices: Vec<Cow<SubdivisionMatrix>> = transfers
-        .map(|(refinement, topology)| match scheme {
-            Scheme::Linear => Cow::Owned(linear_matrix(topology)),
-            _ => Cow::Borrowed(&refinement.matrix),
-        })
-        .collect();
+    let transfers = 0..hierarchy.refinements.len();
+    let matrices: Vec<Cow<SubdivisionMatrix>> =
+        transfers.map(|transfer| hierarchy.prolongation(transfer, scheme).matrix).collect();
     let pairs = matrices.iter().zip(dofs.windows(2)).rev();
     let prolongations = pairs
         .map(|(matrix, pair)| restrict_to_free(matrix, &pair[1], &pair[0]))

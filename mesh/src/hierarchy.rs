@@ -2,6 +2,7 @@
 
 use rayon::prelude::*;
 
+use crate::chunks::CHUNK;
 use crate::features::{FeatureOptions, prepare};
 use crate::step::Step;
 use crate::subdivide::{Refinement, SubdivideError, subdivide};
@@ -80,5 +81,9 @@ pub fn mean_edge_length(mesh: &TetMesh, topology: &Topology) -> f64 {
         let [p, q] = [a, b].map(|v| mesh.points()[v as usize]);
         (0..3).map(|k| (p[k] - q[k]).powi(2)).sum::<f64>().sqrt()
     };
-    topology.edges().iter().map(length).sum::<f64>() / topology.edges().len() as f64
+    // By chunks, so that the sum does not depend on the number of threads.
+    let edges = topology.edges();
+    let sums: Vec<f64> =
+        edges.par_chunks(CHUNK).map(|chunk| chunk.iter().map(length).sum()).collect();
+    sums.iter().sum::<f64>() / edges.len() as f64
 }

@@ -57,22 +57,21 @@ impl InterfaceRows {
     }
 }
 
-/// A matrix that prolongs, and how well.
+/// A matrix that prolongs, and how it came about.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Prolongation<'a> {
     /// One row a fine vertex, one column a coarse vertex; rows sum to one.
     pub matrix: Cow<'a, SubdivisionMatrix>,
-    /// The affine defect before rows were corrected; see [`Hierarchy::affine_defect`].
-    pub defect_before: f64,
-    /// The affine defect of the matrix.
-    pub defect: f64,
+    /// The affine defect before rows were corrected, see [`Hierarchy::affine_defect`];
+    /// none if there was no reason to look at it: then it is that of the matrix.
+    pub defect_before: Option<f64>,
     /// What correcting did; all 0 if it was not called for.
     pub corrected: CorrectedRows,
 }
 
 impl Hierarchy {
     /// The prolongation from mesh `transfer` to mesh `transfer` + 1. That of the
-    /// scheme which refined the mesh is its matrix, guard included.
+    /// scheme which refined the mesh is its matrix, guard included, and exact.
     ///
     /// # Panics
     /// If there is no such transfer.
@@ -91,22 +90,26 @@ impl Hierarchy {
         if interface_rows == InterfaceRows::Linear && scheme != Scheme::Linear {
             matrix = linear_at_interfaces(matrix, mesh, topology);
         }
-        let defect_before = self.affine_defect(transfer, &matrix);
-        let is_wanted = match affine_correction {
-            AffineCorrection::Auto => scheme != Scheme::Linear && defect_before > NEGLIGIBLE_DEFECT,
+        let made_the_mesh = matches!(matrix, Cow::Borrowed(_));
+        let asks = match affine_correction {
+            AffineCorrection::Auto => scheme != Scheme::Linear && !made_the_mesh,
             AffineCorrection::On => true,
             AffineCorrection::Off => false,
         };
+        let defect_before = asks.then(|| self.affine_defect(transfer, &matrix));
+        let is_wanted = match affine_correction {
+            AffineCorrection::On => true,
+            _ => defect_before.is_some_and(|defect| defect > NEGLIGIBLE_DEFECT),
+        };
         if !is_wanted {
             let corrected = CorrectedRows::default();
-            return Prolongation { matrix, defect_before, defect: defect_before, corrected };
+            return Prolongation { matrix, defect_before, corrected };
         }
         let fine = self.meshes[transfer + 1].points();
         let length = mean_edge_length(mesh, topology);
         let geometry = Geometry::new((mesh.points(), topology), fine, length);
         let (exact, corrected) = corrected(&matrix, &geometry);
-        let defect = self.affine_defect(transfer, &exact);
-        Prolongation { matrix: Cow::Owned(exact), defect_before, defect, corrected }
+        Prolongation { matrix: Cow::Owned(exact), defect_before, corrected }
     }
 }
 

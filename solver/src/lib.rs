@@ -64,6 +64,7 @@ mod galerkin;
 mod gauss_seidel;
 mod held_vertex;
 pub mod kernels;
+mod known;
 mod level;
 mod lift;
 mod load;

@@ -2,14 +2,15 @@
 
 use crate::account::{Account, account, cycle_bytes};
 use crate::blocks::expand_blocks;
-use crate::coarse::{CoarseSolver, Elimination};
+use crate::coarse::CoarseSolver;
 use crate::csr::Csr;
 use crate::cycle::{Coarsest, Cycle};
 use crate::diagonal::Diagonal;
 use crate::dot::largest;
 use crate::entry::{Entry, Nodal};
 use crate::error::{Error, check_finite, check_size};
-use crate::level::{Kept, Level};
+use crate::known::{AnyTransfer, Known};
+use crate::level::Level;
 use crate::options::{MultigridOptions, Precision};
 use crate::pattern::Pattern;
 use crate::preconditioner::Preconditioner;
@@ -317,63 +318,6 @@ impl<E: Entry<Real = f64>> Preconditioner<E::Nodal> for Multigrid<E> {
 
     fn is_symmetric(&self) -> bool {
         self.options.is_symmetric()
-    }
-}
-
-/// How a level hangs on the next: as it was given, or as it was kept.
-enum AnyTransfer<E: Entry, F: Entry> {
-    New(Transfer<E>),
-    Kept(Kept<F>),
-}
-
-impl<E: Entry, F: Entry> AnyTransfer<E, F> {
-    /// Whether it depends on the places of a matrix alone.
-    fn is_galerkin(&self) -> bool {
-        match self {
-            Self::New(transfer) => !transfer.smooth && transfer.coarse_matrix.is_none(),
-            Self::Kept(_) => true,
-        }
-    }
-}
-
-/// What does not depend on the numbers of a matrix.
-struct Known<E: Entry, F: Entry> {
-    transfers: Vec<AnyTransfer<E, F>>,
-    projectors: Vec<Projectors<E>>,
-    /// Those of all levels, or of the finest alone.
-    patterns: Vec<Arc<Pattern>>,
-    elimination: Option<Elimination>,
-}
-
-impl<E: Entry<Real = f64>, F: Entry> Known<E, F> {
-    /// From what a user gives for a matrix; checked.
-    fn new(
-        matrix: &Csr<E>,
-        given: Vec<Transfer<E>>,
-        projectors: Vec<Vec<(u32, E)>>,
-    ) -> Result<Self, Error> {
-        let mut rows = vec![matrix.rows()];
-        let mut transfers = Vec::new();
-        for transfer in given.into_iter().take_while(|t| t.prolongation.columns() > 0) {
-            transfer.check(rows[transfers.len()])?;
-            rows.push(transfer.prolongation.columns());
-            transfers.push(AnyTransfer::New(transfer));
-        }
-        let projectors = rows.into_iter().zip(projectors).enumerate();
-        let projectors = projectors.map(|(level, (rows, list))| Projectors::new(level, rows, list));
-        Ok(Self {
-            transfers,
-            projectors: projectors.collect::<Result<_, _>>()?,
-            patterns: vec![Arc::clone(matrix.pattern())],
-            elimination: None,
-        })
-    }
-
-    /// From a cycle that is used no more.
-    fn of(cycle: Cycle<F>, projectors: Vec<Projectors<E>>, patterns: Vec<Arc<Pattern>>) -> Self {
-        let (kept, elimination) = cycle.into_known();
-        let transfers = kept.into_iter().map(AnyTransfer::Kept).collect();
-        Self { transfers, projectors, patterns, elimination }
     }
 }
 

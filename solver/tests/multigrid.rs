@@ -257,6 +257,8 @@ fn one_full_multigrid_cycle_reaches_the_discretisation_with_box_splines() {
     let single = MultigridOptions { precision: Precision::Single, ..v11() };
     for level in 1..=4 {
         let spline = cube(level, Scheme::BoxSpline);
+        let ratio = |carrier| full_multigrid_ratio(&spline, carrier, (&v11(), 1));
+        println!("level {level}: {:?}", [Carrier::Linear, Carrier::Quadratic].map(ratio));
         for carrier in [Carrier::Linear, Carrier::Quadratic, Carrier::Prolongation] {
             for options in [v11(), single] {
                 let ratio = full_multigrid_ratio(&spline, carrier, (&options, 1));

@@ -13,7 +13,7 @@ use serde::Serialize;
 use super::plan::Geometry;
 use crate::recipe::Choice;
 use crate::stages::multigrid::Discrete;
-use crate::stages::transfers::{TransferFigures, reassemble, transfers};
+use crate::stages::transfers::{Made, TransferFigures, reassemble, transfer_figures, transfers};
 use crate::stages::{Context, Solve};
 
 /// A variant on a level. Iterations are those of conjugate gradients for noise on the
@@ -121,7 +121,9 @@ impl<E: Entry<Real = f64>> Level<'_, E> {
     pub fn row(&self, options: &Solve) -> Result<Row, Error> {
         let cycle = options.multigrid_options();
         let (mut setups, mut solves) = (Vec::new(), Vec::new());
-        let (mut multigrid, figures, setup) = self.set_up(options, &cycle)?;
+        let (mut multigrid, made, setup) = self.set_up(options, &cycle)?;
+        let figures = transfer_figures(self.hierarchy, &made);
+        drop(made);
         setups.push(setup);
         let rhs = self.right_hand_side();
         let mut report = self.solve(&rhs, &mut multigrid, options)?;
@@ -177,11 +179,11 @@ impl<E: Entry<Real = f64>> Level<'_, E> {
         &self,
         options: &Solve,
         cycle: &MultigridOptions,
-    ) -> Result<(Multigrid<E>, Vec<TransferFigures>, f64), Error> {
+    ) -> Result<(Multigrid<E>, Vec<Made<'_>>, f64), Error> {
         let Discrete { matrix, levels, coarse_matrices, coarse_seconds, .. } = self.discrete;
         let start = Instant::now();
         let which = options.transfer_options(options.prolongation[0]);
-        let (mut transfers, figures) = transfers(&which, self.hierarchy, levels)?;
+        let (mut transfers, made) = transfers(&which, self.hierarchy, levels)?;
         let mut seconds = 0.0;
         if options.reassembles() {
             reassemble(&mut transfers, coarse_matrices);
@@ -189,7 +191,7 @@ impl<E: Entry<Real = f64>> Level<'_, E> {
         }
         let projectors = self.discrete.projectors();
         let multigrid = Multigrid::with_transfers(matrix, transfers, projectors, cycle)?;
-        Ok((multigrid, figures, seconds + start.elapsed().as_secs_f64()))
+        Ok((multigrid, made, seconds + start.elapsed().as_secs_f64()))
     }
 
     /// Noise in the free directions.

@@ -11,7 +11,7 @@ use super::Context;
 use super::account::{AccountFigures, REPEATS};
 use super::method::MethodFigures;
 use super::solve::Solve;
-use super::transfers::{TransferFigures, reassemble, transfers};
+use super::transfers::{TransferFigures, reassemble, transfer_figures, transfers};
 use crate::progress::News;
 use crate::recipe::{Choice, Prolongations};
 
@@ -146,12 +146,14 @@ pub fn solve_with<E: Entry<Real = f64>>(
     let start = Instant::now();
     let Discrete { matrix, rhs, levels, coarse_matrices, .. } = discrete;
     let transfer_options = options.transfer_options(prolongations);
-    let (mut transfers, transfer_figures) = transfers(&transfer_options, hierarchy, levels)?;
+    let (mut transfers, made) = transfers(&transfer_options, hierarchy, levels)?;
     reassemble(&mut transfers, coarse_matrices);
     let projectors = discrete.projectors();
     let cycle = options.multigrid_options();
     let mut multigrid = Multigrid::with_transfers(matrix, transfers, projectors, &cycle)?;
     let setup_seconds = start.elapsed().as_secs_f64();
+    let figures_of_transfers = transfer_figures(hierarchy, &made);
+    drop(made);
     let start = Instant::now();
     let transfer = options.full_transfer(hierarchy);
     let full_pass = transfer
@@ -190,8 +192,8 @@ pub fn solve_with<E: Entry<Real = f64>>(
         nonzeros_all_levels: multigrid.levels().iter().map(|level| level.nonzeros).sum(),
         operator_complexity: multigrid.operator_complexity(),
         grid_complexity: multigrid.grid_complexity(),
-        affine_defects: transfer_figures.iter().map(|t| t.affine_defect).collect(),
-        transfers: transfer_figures,
+        affine_defects: figures_of_transfers.iter().map(|t| t.affine_defect).collect(),
+        transfers: figures_of_transfers,
         full_multigrid_residual: full_pass.is_some().then_some(first_residual),
         iterations: report.iterations,
         relative_residual: report.relative_residual,

@@ -56,38 +56,52 @@ pub struct TransferFigures {
     pub extended_rows: usize,
 }
 
-/// The transfers of a hierarchy, **finest first**, with Galerkin products, and figures
-/// of each, **coarsest first**.
+/// What prolongs on a transfer, and its matrix.
+pub struct Made<'a> {
+    prolongation: Prolongation,
+    made: octruss_mesh::Prolongation<'a>,
+}
+
+/// The transfers of a hierarchy, **finest first**, with Galerkin products, and the
+/// matrices that they are from, **coarsest first**.
 ///
 /// # Errors
 /// Whatever the solver reports.
-pub fn transfers<E: Entry<Real = f64>>(
+pub fn transfers<'a, E: Entry<Real = f64>>(
     options: &TransferOptions,
-    hierarchy: &Hierarchy,
+    hierarchy: &'a Hierarchy,
     levels: &[LevelUnknowns<E>],
-) -> Result<(Vec<Transfer<E>>, Vec<TransferFigures>), Error> {
-    let count = hierarchy.refinements.len();
-    let (mut transfers, mut figures) = (Vec::new(), Vec::new());
+) -> Result<(Vec<Transfer<E>>, Vec<Made<'a>>), Error> {
+    let Prolongations { finest, coarser } = options.prolongations;
+    let (mut transfers, mut all) = (Vec::new(), Vec::new());
     for (number, pair) in levels.windows(2).enumerate() {
-        let Prolongations { finest, coarser } = options.prolongations;
-        let prolongation = if number + 1 == count { finest } else { coarser };
+        let prolongation = if number + 2 == levels.len() { finest } else { coarser };
         let made = hierarchy
             .prolongation(number, matrix_options(prolongation, options, hierarchy, number));
-        let CorrectedRows { corrected, replaced, extended, .. } = made.corrected;
-        figures.push(TransferFigures {
-            prolongation: prolongation.name(),
-            affine_defect: made.defect,
-            affine_defect_before: made.defect_before,
-            corrected_rows: corrected,
-            replaced_rows: replaced,
-            extended_rows: extended,
-        });
         let matrix = restrict_to_free(&made.matrix, &pair[1].dofs, &pair[0].dofs)?;
         let smooth = prolongation == Prolongation::SmoothedLinear;
         transfers.push(Transfer { prolongation: matrix, smooth, coarse_matrix: None });
+        all.push(Made { prolongation, made });
     }
     transfers.reverse();
-    Ok((transfers, figures))
+    Ok((transfers, all))
+}
+
+/// Figures of each transfer, coarsest first.
+pub fn transfer_figures(hierarchy: &Hierarchy, all: &[Made]) -> Vec<TransferFigures> {
+    let figures = |(number, Made { prolongation, made }): (usize, &Made)| {
+        let CorrectedRows { corrected, replaced, extended, .. } = made.corrected;
+        let affine_defect = hierarchy.affine_defect(number, &made.matrix);
+        TransferFigures {
+            prolongation: prolongation.name(),
+            affine_defect,
+            affine_defect_before: made.defect_before.unwrap_or(affine_defect),
+            corrected_rows: corrected,
+            replaced_rows: replaced,
+            extended_rows: extended,
+        }
+    };
+    all.iter().enumerate().map(figures).collect()
 }
 
 /// A scheme goes by its name: with the parameters that it refined the mesh with, if

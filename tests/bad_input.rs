@@ -178,10 +178,14 @@ const TABLE: [Spoilt; 36] = [
     ),
     spoilt(
         ["[\"linear\"]", "[\"smoothed-lineer\"]"],
-        "unknown prolongation `smoothed-lineer`; did you mean `smoothed-linear`?",
+        "17:17: unknown prolongation `smoothed-lineer`; did you mean `smoothed-linear`?",
         2,
     ),
-    spoilt(["[\"linear\"]", "[{ finest = \"linear\" }]"], "missing key `coarser`", 2),
+    spoilt(
+        ["[\"linear\"]", "[{ finest = \"linear\" }]"],
+        "17:17: missing key `coarser` in stage `solve`",
+        2,
+    ),
     spoilt(
         ["fixed = [{ surface = \"x0\", value = 0 }]", ""],
         "stage `solve`, assembly: nothing is fixed",

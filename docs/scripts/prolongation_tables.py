@@ -36,11 +36,17 @@ def markdown(head, lines):
 
 
 def name(row):
+    words = [row["prolongation"]]
     if row["affine_defect"] < row["affine_defect_before"]:
-        return row["prolongation"] + ", corrected"
-    if row["interface_rows"] == "linear" and row["problem"] == "poisson":
-        return row["prolongation"] + ", linear on interfaces"
-    return row["prolongation"]
+        words.append("corrected")
+    if row["interface_rows"] == "linear":
+        words.append("linear on interfaces")
+    return ", ".join(words)
+
+
+def is_told(row):
+    """Linear rows on interfaces do not change linear interpolation."""
+    return not (row["interface_rows"] == "linear" and row["prolongation"].endswith("linear"))
 
 
 def figures(row):
@@ -61,6 +67,7 @@ def figures(row):
 
 def table(study, geometry):
     rows = [row for row in comparison(study)["rows"] if row["geometry"] == geometry]
+    rows = [row for row in rows if is_told(row)]
     finest = max(row["level"] for row in rows)
     return markdown(COLUMNS, [figures(row) for row in rows if row["level"] == finest])
 

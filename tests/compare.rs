@@ -159,3 +159,24 @@ fn variants_that_do_not_converge_have_rows_without_figures() {
     let (printed, _) = compare(folder.path(), &none);
     assert!(printed.contains("level 2: no variant converged."), "{printed}");
 }
+
+#[test]
+fn stages_that_write_or_solve_before_the_levels_are_passed_over() {
+    let folder = tempfile::tempdir().unwrap();
+    let mesh = repository("examples/meshes/cube.msh").display().to_string();
+    let solve = "[[stage]]\nkind = \"solve\"\nfixed = [{ surface = \"x0\", value = 0 }]\n";
+    let config = format!(
+        "name = \"c\"\n[[stage]]\nkind = \"import\"\npath = \"{mesh}\"\n\
+         [[stage]]\nkind = \"check\"\n[[stage]]\nkind = \"write\"\n{solve}\
+         [[stage]]\nkind = \"subdivide\"\nlevels = 1\n{solve}"
+    );
+    std::fs::write(folder.path().join("c.toml"), config).unwrap();
+    let printed = succeed(folder.path(), &["compare", "c.toml", "--quiet"]);
+    // A source of zero has the solution zero, which cannot be carried.
+    assert!(printed.contains("subdivided 1") && !printed.contains("carried"), "{printed}");
+    let left: Vec<String> = std::fs::read_dir(folder.path())
+        .unwrap()
+        .map(|entry| entry.unwrap().file_name().into_string().unwrap())
+        .collect();
+    assert_eq!(left.len(), 2, "{left:?}");
+}

@@ -75,3 +75,19 @@ fn what_an_earlier_stage_of_the_same_run_wrote_stays() {
         assert!(written.contains(&name.into()), "{written:?}");
     }
 }
+
+#[test]
+fn the_mesh_that_a_run_reads_stays_whatever_it_is_called() {
+    let folder = tempfile::tempdir().unwrap();
+    let mesh = octruss_mesh::shapes::kuhn_cube(1).into_raw();
+    let dataset = octruss_meshio::Dataset { mesh, ..Default::default() };
+    let input = folder.path().join("level-3.vtu");
+    octruss_meshio::write(&input, &dataset).unwrap();
+    std::fs::write(folder.path().join("level-2.vtu"), "of an earlier run").unwrap();
+    let config = "name = \"c\"\n[[stage]]\nkind = \"import\"\npath = \"level-3.vtu\"\n\
+                  [[stage]]\nkind = \"check\"\n[[stage]]\nkind = \"write\"\n";
+    std::fs::write(folder.path().join("c.toml"), config).unwrap();
+    succeed(folder.path(), &["run", "c.toml", "--quiet", "--out", "."]);
+    let left = names(folder.path());
+    assert!(left.contains(&"level-3.vtu".into()) && !left.contains(&"level-2.vtu".into()));
+}

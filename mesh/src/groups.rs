@@ -24,6 +24,9 @@ const BLOCKS: usize = 512;
 impl<E: Copy + Default + Send + Sync> Groups<E> {
     /// Groups what `emit` gives for each of the sources 0 to `sources` − 1:
     /// pairs of a key below `keys` and an entry.
+    ///
+    /// # Panics
+    /// If a key is too large, or there are 2³² entries or more.
     pub fn new<I: IntoIterator<Item = (u32, E)>>(
         keys: usize,
         sources: usize,
@@ -66,6 +69,7 @@ impl<E: Copy + Default + Send + Sync> Groups<E> {
 
     /// The second pass: each block's entries to their keys.
     fn from_blocks(keys: usize, width: usize, sizes: &[usize], staged: &[(u32, E)]) -> Self {
+        assert!(u32::try_from(staged.len()).is_ok(), "entries are numbered in 32 bits");
         let mut offsets = vec![0; keys + 1];
         let mut entries: Vec<E> = zeroed(staged.len());
         let mut blocks = Vec::with_capacity(sizes.len());

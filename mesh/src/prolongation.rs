@@ -34,7 +34,7 @@ impl From<Scheme> for ProlongationOptions {
     }
 }
 
-/// The rows of vertices and edges that touch several regions.
+/// The rows of vertices and edges on faces between regions.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum InterfaceRows {
     /// The scheme's, within the strata of the interface.
@@ -113,8 +113,7 @@ impl Hierarchy {
     }
 }
 
-/// The matrix with the linear rule at every vertex and edge that touches several
-/// regions.
+/// The matrix with the linear rule at every vertex and edge on a face between regions.
 fn linear_at_interfaces<'a>(
     matrix: Cow<'a, SubdivisionMatrix>,
     mesh: &TetMesh,

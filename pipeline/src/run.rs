@@ -79,7 +79,7 @@ pub fn run_stages(
 
 /// As [`run_stages`], until asked to stop; adds to `reports` what each stage did,
 /// also where a later one fails.
-fn run_into(
+pub(crate) fn run_into(
     reports: &mut Vec<StageReport>,
     stages: &[Stage],
     source: Option<&Source>,

@@ -81,9 +81,8 @@ pub(crate) fn account<E: Entry>(cycle: &mut Cycle<E>, unknowns: usize, repeats: 
             seconds: median(seconds),
         })
         .collect();
-    // Double precision in and out, the cycle's own between.
-    let rounding = 2 * unknowns * (size_of::<f64>() + size_of::<E::Real>());
-    let bytes = kernels.iter().map(|kernel| kernel.bytes).sum::<usize>() + rounding;
+    let bytes =
+        kernels.iter().map(|kernel| kernel.bytes).sum::<usize>() + rounding_bytes::<E>(unknowns);
     Account {
         copy_bandwidth: (2 * size_of_val(&*source)) as f64 / median(copies),
         cycle: KernelTraffic { level: 0, kernel: "cycle", bytes, seconds: median(cycles) },
@@ -113,11 +112,21 @@ fn steps<E: Entry>(level: &Level<E>) -> [(&'static str, Step<E>, usize); 5] {
     ]
 }
 
-/// The bytes that a cycle moves, its input and output in double precision included.
-pub(crate) fn cycle_bytes<E: Entry>(levels: &[Level<E>], unknowns: usize) -> usize {
+/// The bytes that a cycle moves which visits level k `visits(k)` times, its input and
+/// output included.
+pub(crate) fn cycle_bytes<E: Entry>(
+    levels: &[Level<E>],
+    unknowns: usize,
+    visits: impl Fn(usize) -> usize,
+) -> usize {
     let kernels = |level: &Level<E>| steps(level).iter().map(|(.., bytes)| bytes).sum::<usize>();
-    let rounding = 2 * unknowns * (size_of::<f64>() + size_of::<E::Real>());
-    levels.iter().map(kernels).sum::<usize>() + rounding
+    let levels = levels.iter().enumerate().map(|(k, level)| visits(k) * kernels(level));
+    levels.sum::<usize>() + rounding_bytes::<E>(unknowns)
+}
+
+/// The bytes of input and output: double precision outside, the cycle's own within.
+fn rounding_bytes<E: Entry>(unknowns: usize) -> usize {
+    2 * unknowns * (size_of::<f64>() + size_of::<E::Real>())
 }
 
 fn copy(source: &[f64], target: &mut [f64]) {

@@ -53,9 +53,6 @@ impl<E: Entry<Real = f64>> LevelUnknowns<E> {
     }
 
     /// A value for each vertex from unknowns `x` that respect the projectors.
-    ///
-    /// # Panics
-    /// If there are more of `x` than unknowns.
     pub fn expand(&self, x: &[E::Nodal]) -> Vec<E::Nodal> {
         let mut all = self.prescribed.clone();
         for (&vertex, x) in self.dofs.free().iter().zip(x) {

@@ -23,7 +23,7 @@ use std::time::Instant;
 
 /// Levels from a matrix and prolongations, and a cycle over them.
 ///
-/// Coarse matrices are Galerkin products Pᵀ A P; the coarsest level is solved
+/// Coarse matrices are Galerkin products Pᵀ A P unless given; the coarsest level is solved
 /// directly. Prints itself as a table of its levels.
 pub struct Multigrid<E: Entry = f64> {
     cycle: AnyCycle<E>,
@@ -247,12 +247,13 @@ impl<E: Entry<Real = f64>> Multigrid<E> {
 
 impl<E: Entry> Multigrid<E> {
     /// The bytes that one cycle must move, from the sizes of its arrays, the direct solve
-    /// left out; a W-cycle is counted as if it were a V-cycle.
+    /// left out. A W-cycle visits level k 2ᵏ times.
     pub fn cycle_bytes(&self) -> usize {
         let unknowns = self.summaries[0].unknowns;
+        let visits = |level| self.options.visits(level);
         match &self.cycle {
-            AnyCycle::Single(cycle) => cycle_bytes(&cycle.levels, unknowns),
-            AnyCycle::Double(cycle) => cycle_bytes(&cycle.levels, unknowns),
+            AnyCycle::Single(cycle) => cycle_bytes(&cycle.levels, unknowns, visits),
+            AnyCycle::Double(cycle) => cycle_bytes(&cycle.levels, unknowns, visits),
         }
     }
 

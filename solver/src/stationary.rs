@@ -90,6 +90,11 @@ pub fn reductions<E: Entry<Real = f64>>(
         error.iter_mut().zip(&correction).for_each(|(e, c)| *e = e.minus(*c).scaled(1.0 / before));
         before = energy(&error, &mut image);
         factors.push(before);
+        // Nothing is left: a direct solver does that.
+        if before == 0.0 {
+            factors.resize(cycles, 0.0);
+            break;
+        }
     }
     Ok(factors)
 }

@@ -55,13 +55,17 @@ impl<E: Entry<Real = f64>> Transfer<E> {
     ) -> (Kept<F>, Csr<E>) {
         let Self { prolongation: p, smooth, coarse_matrix } = self;
         if smooth {
-            let p = smoothed((matrix, diagonal), &p, [fine, coarse]);
-            let given = coarse_matrix.unwrap_or_else(|| galerkin_of_entries(matrix, &p, coarse));
-            return (Kept::new(Weights::Entries(p.cast_scaled(1.0))), given);
+            let smoothed = smoothed((matrix, diagonal), &p, [fine, coarse]);
+            drop(p);
+            // A baseline: its product is that of weights that are not yet rounded.
+            let product = || galerkin_of_entries(matrix, &smoothed, coarse);
+            let given = coarse_matrix.unwrap_or_else(product);
+            return (Kept::new(Weights::Entries(smoothed.cast_scaled(1.0))), given);
         }
         // Rounded before any product: coarse matrices belong to the prolongation that
         // the cycle uses.
         let kept = Kept::new(Weights::Numbers(p.cast()));
+        drop(p);
         let product = || kept.galerkin((matrix, fine), coarse, None);
         let given = coarse_matrix.or_else(product).expect("the weights are numbers");
         (kept, given)

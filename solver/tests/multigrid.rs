@@ -286,6 +286,14 @@ fn one_full_multigrid_cycle_does_not_with_linear_prolongation() {
 }
 
 #[test]
+fn a_direct_solve_reduces_to_nothing_and_not_to_nonsense() {
+    let one = Csr::new(1, vec![0, 1], vec![0], vec![2.0]).unwrap();
+    let double = MultigridOptions { precision: Precision::Double, ..Default::default() };
+    let mut direct = Multigrid::new(&one, vec![], &double).unwrap();
+    assert_eq!(reductions(&one, &mut direct, 5).unwrap(), [0.0; 5]);
+}
+
+#[test]
 fn reductions_do_not_depend_on_the_level() {
     // 29,791 and 250,047 unknowns.
     let options = MultigridOptions { before: 2, after: 2, ..v11() };
@@ -387,6 +395,9 @@ fn the_account_counts_bytes_from_array_sizes() {
     assert_eq!(account.kernels.len(), 10);
     let kernels: usize = account.kernels.iter().map(|kernel| kernel.bytes).sum();
     assert_eq!(account.cycle.bytes, kernels + 2 * 343 * 12);
+    assert_eq!(multigrid.cycle_bytes(), account.cycle.bytes);
+    let w = MultigridOptions { shape: CycleShape::W, ..MultigridOptions::default() };
+    assert!(cube.multigrid(&w).cycle_bytes() > account.cycle.bytes);
     assert!(account.to_string().lines().count() == 13 && account.copy_bandwidth > 0.0);
     // Measuring leaves no trace.
     let after = conjugate_gradients(

@@ -4,15 +4,15 @@
 
 use octruss_mesh::Hierarchy;
 use octruss_solver::{
-    Entry, Error, Multigrid, Nodal, SolveOptions, conjugate_gradients, dot, kernels, norm,
+    Entry, Error, Multigrid, Nodal, Progress, SolveOptions, conjugate_gradients, dot, kernels, norm,
 };
 use serde::Serialize;
 
 use super::plan::Geometry;
 use crate::recipe::{Choice, Prolongation};
-use crate::stages::Solve;
 use crate::stages::multigrid::Discrete;
 use crate::stages::transfers::transfers;
+use crate::stages::{Context, Solve};
 
 /// How near a carried solution comes to the one computed.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -41,10 +41,13 @@ pub(super) fn carry<E: Entry<Real = f64>>(
     (hierarchy, geometry): (&Hierarchy, Geometry),
     fine: &Discrete<E>,
     (coarse_hierarchy, coarse): (&Hierarchy, &Discrete<E>),
+    context: &Context,
 ) -> Result<Vec<Carried>, Error> {
     let transfer = coarse_hierarchy.refinements.len();
-    let solutions =
-        (solution(options, hierarchy, fine)?, solution(options, coarse_hierarchy, coarse)?);
+    let solutions = (
+        solution(options, hierarchy, fine, context)?,
+        solution(options, coarse_hierarchy, coarse, context)?,
+    );
     let (Some(computed), Some(coarse_solution)) = solutions else { return Ok(Vec::new()) };
     let coarse_level = coarse.levels.last().expect("there is at least one level");
     let coarse_values = coarse_level.expand(&coarse_solution);
@@ -82,6 +85,7 @@ fn solution<E: Entry<Real = f64>>(
     options: &Solve,
     hierarchy: &Hierarchy,
     discrete: &Discrete<E>,
+    context: &Context,
 ) -> Result<Option<Vec<E::Nodal>>, Error> {
     let which = options.transfer_options(options.prolongation[0]);
     let (transfers, _) = transfers(&which, hierarchy, &discrete.levels)?;
@@ -89,7 +93,9 @@ fn solution<E: Entry<Real = f64>>(
     let projectors = discrete.projectors();
     let mut multigrid = Multigrid::with_transfers(matrix, transfers, projectors, &cycle)?;
     let (tolerance, max_iterations) = (options.tolerance.0, options.max_iterations);
-    let goal = SolveOptions { tolerance, max_iterations, ..SolveOptions::default() };
+    let tell = |_: usize, _: f64| context.go_on();
+    let progress: Option<Progress> = Some(&tell);
+    let goal = SolveOptions { tolerance, max_iterations, progress, ..SolveOptions::default() };
     match conjugate_gradients(matrix, &discrete.rhs, &mut multigrid, &goal) {
         Ok((x, _)) => Ok(Some(x).filter(|x| norm(x) > 0.0)),
         Err(Error::NotConverged(_) | Error::NotPositiveDefinite { .. }) => Ok(None),

@@ -94,7 +94,7 @@ impl Compare {
         vary(&mut variants, &self.sweeps, |solve, one| solve.sweeps = *one);
         let prolongations = self.prolongation.as_ref().unwrap_or(&solve.prolongation);
         vary(&mut variants, &Some(prolongations.clone()), |solve, one| {
-            solve.prolongation = Several(vec![*one]);
+            solve.prolongation = [*one].into();
         });
         vary(&mut variants, &self.interface_rows, |solve, one| solve.interface_rows = *one);
         vary(&mut variants, &self.affine_correction, |solve, one| solve.affine_correction = *one);

@@ -1,6 +1,5 @@
 //! One variant on one level: what it needs.
 
-use std::ops::ControlFlow;
 use std::time::Instant;
 
 use octruss_mesh::Hierarchy;
@@ -128,14 +127,18 @@ impl<E: Entry<Real = f64>> Level<'_, E> {
         let rhs = self.right_hand_side();
         let mut report = self.solve(&rhs, &mut multigrid, options)?;
         for _ in 1..self.repeats {
-            setups.push(self.set_up(options, &cycle)?.2);
             solves.extend(report.as_ref().map(|report| report.solve_seconds));
+            // Never two at once.
+            drop(multigrid);
+            let again = self.set_up(options, &cycle)?;
+            multigrid = again.0;
+            setups.push(again.2);
             report = self.solve(&rhs, &mut multigrid, options)?;
         }
         solves.extend(report.as_ref().map(|report| report.solve_seconds));
         let factors = reductions(&self.discrete.matrix, &mut multigrid, CYCLES)?;
         let per_digit = |cost: f64| {
-            let report = report.as_ref().filter(|report| report.iterations > 0)?;
+            let report = report.as_ref().filter(|report| report.relative_residual > 0.0)?;
             Some(cost * report.iterations as f64 / -report.relative_residual.log10())
         };
         let (setup_seconds, setup_spread) = median_and_spread(setups).unwrap_or_default();
@@ -210,10 +213,7 @@ impl<E: Entry<Real = f64>> Level<'_, E> {
         multigrid: &mut Multigrid<E>,
         options: &Solve,
     ) -> Result<Option<SolveReport>, Error> {
-        let tell = |_: usize, _: f64| match self.context.asked_to_stop() {
-            true => ControlFlow::Break(()),
-            false => ControlFlow::Continue(()),
-        };
+        let tell = |_: usize, _: f64| self.context.go_on();
         let stop = SolveOptions {
             tolerance: options.tolerance.0,
             max_iterations: options.max_iterations,

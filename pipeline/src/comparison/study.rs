@@ -15,7 +15,7 @@ use super::verdict::verdict;
 use crate::error::Error;
 use crate::progress::{Listener, News, Progress};
 use crate::recipe::{Choice, ConfigError, Named, Place, Prolongation, Recipe};
-use crate::run::run_stages;
+use crate::run::run_into;
 use crate::stages::multigrid::Discrete;
 use crate::stages::{Context, Problem, Solve, Stage, Subdivide, biharmonic, elasticity, poisson};
 
@@ -47,8 +47,8 @@ pub fn compare(
                 Problem::Biharmonic => study.level(&hierarchy, geometry, biharmonic::discretise)?,
                 Problem::Elasticity => study.level(&hierarchy, geometry, elasticity::discretise)?,
             };
-            rows.splice(0..0, more_rows);
-            carried.splice(0..0, more_carried);
+            rows.extend(more_rows);
+            carried.extend(more_carried);
         }
     }
     let order = |geometry: &str| Geometry::ALL.iter().position(|g| g.name() == geometry);
@@ -68,7 +68,8 @@ pub fn compare(
 struct Study<'a> {
     recipe: &'a Recipe,
     plan: Compare,
-    before: &'a [Stage],
+    /// What makes the checked mesh.
+    before: Vec<Stage>,
     subdivide: &'a Subdivide,
     solve: &'a Solve,
     /// The body's name.
@@ -113,7 +114,11 @@ impl<'a> Study<'a> {
         Ok(Self {
             recipe,
             plan,
-            before: &stages[..at],
+            before: stages[..at]
+                .iter()
+                .filter(|stage| matches!(stage, Stage::Import(_) | Stage::Check(_)))
+                .cloned()
+                .collect(),
             subdivide,
             solve,
             body: body.unwrap_or_default().to_string_lossy().into(),
@@ -131,10 +136,12 @@ impl<'a> Study<'a> {
         };
         let levels = self.levels.first().map_or(0, |&finest| finest as u8);
         let refined = Subdivide { scheme, levels, ..self.subdivide.clone() };
-        let mut stages = self.before.to_vec();
+        let mut stages = self.before.clone();
         stages.push(Stage::Subdivide(refined));
         let folders = [&*self.recipe.folder, Path::new("")];
-        let state = run_stages(&stages, Some(&self.recipe.source), folders, self.listener)?;
+        let source = Some(&self.recipe.source);
+        let who = (self.listener, self.stop);
+        let state = run_into(&mut Vec::new(), &stages, source, folders, who)?;
         Ok(state.hierarchy.expect("a stage `subdivide` makes levels"))
     }
 
@@ -173,10 +180,8 @@ impl<'a> Study<'a> {
             }
             let what = format!("{} prolongation", variant.prolongation[0]);
             rows.push(context.progress.step(index + 1, variants.len(), &what, || {
-                let row = level.row(variant).map_err(|source| match source {
-                    SolverError::Stopped(_) => Error::Stopped { stage: label.clone() },
-                    source => context.solver(&what, source),
-                })?;
+                let row =
+                    level.row(variant).map_err(|source| self.failed(source, &what, &context))?;
                 let result = row.result();
                 Ok::<_, Error>((row, result))
             })?);
@@ -186,6 +191,13 @@ impl<'a> Study<'a> {
         let seconds = start.elapsed().as_secs_f64();
         context.progress.tell(News::Finished { summary, seconds });
         Ok((rows, carried))
+    }
+
+    fn failed(&self, source: SolverError, what: &str, context: &Context) -> Error {
+        match source {
+            SolverError::Stopped(_) => Error::Stopped { stage: context.progress.label.into() },
+            source => context.solver(what, source),
+        }
     }
 
     fn carried<E: Entry<Real = f64>>(
@@ -212,7 +224,7 @@ impl<'a> Study<'a> {
         }
         let levels = (hierarchy, geometry);
         let below = (&coarse, &coarse_problem);
-        carried::carry(self.solve, &prolongations, levels, problem, below)
-            .map_err(|source: SolverError| context.solver("a solution to carry up", source))
+        carried::carry(self.solve, &prolongations, levels, problem, below, context)
+            .map_err(|source| self.failed(source, "a solution to carry up", context))
     }
 }

@@ -74,9 +74,9 @@ fn rows(rows: &[Row]) -> Vec<Vec<String>> {
 fn rows_of(row: &Row) -> String {
     let corrected = row.affine_defect < row.affine_defect_before;
     let inexact = row.affine_defect > octruss_mesh::NEGLIGIBLE_DEFECT;
-    let affine = match (corrected, inexact) {
-        (true, _) => "corrected",
-        (false, true) => "inexact",
+    let affine = match (inexact, corrected) {
+        (true, _) => "inexact",
+        (false, true) => "corrected",
         (false, false) => "exact",
     };
     let asked = match row.affine_correction {

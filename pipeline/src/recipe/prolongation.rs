@@ -27,6 +27,8 @@ impl Prolongation {
     }
 }
 
+const _: () = assert!(Scheme::ALL.len() == 6, "the list below has all schemes");
+
 impl Choice for Prolongation {
     const WHAT: &'static str = "prolongation";
     const ALL: &'static [Self] = &[

@@ -6,7 +6,15 @@ use serde::de::{Deserialize, Deserializer, Error};
 
 /// Choices, at least one and none twice.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Several<T>(pub Vec<T>);
+pub struct Several<T>(Vec<T>);
+
+impl<T, const N: usize> From<[T; N]> for Several<T> {
+    /// Of at least one, all different.
+    fn from(choices: [T; N]) -> Self {
+        const { assert!(N > 0, "at least one choice") };
+        Self(choices.into())
+    }
+}
 
 impl<T> Deref for Several<T> {
     type Target = [T];

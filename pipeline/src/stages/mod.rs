@@ -26,7 +26,7 @@ pub(crate) mod transfers;
 mod unfinished;
 mod write;
 
-use std::ops::Range;
+use std::ops::{ControlFlow, Range};
 use std::path::Path;
 use std::sync::atomic::{AtomicBool, Ordering};
 
@@ -106,6 +106,11 @@ impl Context<'_> {
     /// Whether to end as soon as possible.
     pub fn asked_to_stop(&self) -> bool {
         self.stop.load(Ordering::Relaxed)
+    }
+
+    /// What an iteration asks: whether to end.
+    pub(crate) fn go_on(&self) -> ControlFlow<()> {
+        if self.asked_to_stop() { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
     }
 
     /// Tells what the user should know, quiet or not.

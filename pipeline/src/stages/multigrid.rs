@@ -1,6 +1,5 @@
 //! One solve with one prolongation, and its figures.
 
-use std::ops::ControlFlow;
 use std::time::Instant;
 
 use octruss_mesh::{Hierarchy, TetMesh};
@@ -67,7 +66,8 @@ pub struct SolveFigures {
     pub minimum: f64,
     /// The greatest value at a vertex of a tet, of displacements their length.
     pub maximum: f64,
-    /// Prolongations, coarse matrices, factors.
+    /// Prolongations, Galerkin products, factors; coarse matrices that are re-assembled
+    /// count as assembly.
     pub setup_seconds: f64,
     /// Iterating, after the pass of full multigrid if there was one.
     pub solve_seconds: f64,
@@ -164,7 +164,7 @@ pub fn solve_with<E: Entry<Real = f64>>(
         context
             .progress
             .tell(News::Note(format!("iteration {iteration}, residual {residual:.1e}")));
-        if context.asked_to_stop() { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+        context.go_on()
     };
     let stop = SolveOptions {
         start: full_pass.as_deref().map(Nodal::flat),

@@ -145,7 +145,7 @@ impl Default for Solve {
             traction: Vec::new(),
             pressure: Vec::new(),
             springs: Vec::new(),
-            prolongation: Several(vec![Scheme::BoxSpline.into(), Scheme::Linear.into()]),
+            prolongation: [Scheme::BoxSpline.into(), Scheme::Linear.into()].into(),
             affine_correction: Named(AffineCorrection::default()),
             interface_rows: Named(InterfaceRows::default()),
             coarse_operator: Named(CoarseOperator::Galerkin),

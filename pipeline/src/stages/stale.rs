@@ -10,12 +10,16 @@ const FIXED: [&str; 4] =
     ["solution.surfaces.vtu", "solution.sides.vtu", "features.vtu", "levels.pvd"];
 
 /// Removes from a folder the files with names that the stage gives, but those
-/// `written` in this run, so that none is taken for one of this run; returns them in
-/// order. Anything else stays.
+/// `written` in this run and the file `read` in it, so that none is taken for one of
+/// this run; returns them in order. Anything else stays.
 ///
 /// # Errors
 /// If the folder cannot be read, or a file not be removed.
-pub(super) fn remove_stale(folder: &Path, written: &[PathBuf]) -> Result<Vec<PathBuf>, Error> {
+pub(super) fn remove_stale(
+    folder: &Path,
+    written: &[PathBuf],
+    read: &Path,
+) -> Result<Vec<PathBuf>, Error> {
     let refused = |path: &Path, error: std::io::Error| Error::Output {
         path: path.into(),
         reason: error.to_string(),
@@ -27,7 +31,11 @@ pub(super) fn remove_stale(folder: &Path, written: &[PathBuf]) -> Result<Vec<Pat
         is_file && entry.file_name().to_str().is_some_and(is_own)
     };
     let stale = entries.into_iter().filter(is_stale).map(|entry| entry.path());
-    let mut stale: Vec<PathBuf> = stale.filter(|path| !written.contains(path)).collect();
+    // By whatever path they were named.
+    let input = read.canonicalize().ok();
+    let is_input = |path: &PathBuf| input.is_some() && path.canonicalize().ok() == input;
+    let is_kept = |path: &PathBuf| written.contains(path) || is_input(path);
+    let mut stale: Vec<PathBuf> = stale.filter(|path| !is_kept(path)).collect();
     stale.sort();
     for path in &stale {
         std::fs::remove_file(path).map_err(|error| refused(path, error))?;

@@ -44,7 +44,8 @@ pub struct TransferOptions {
 pub struct TransferFigures {
     /// What prolongs.
     pub prolongation: &'static str,
-    /// How far the matrix misses linear functions, in mean edge lengths.
+    /// How far the matrix misses linear functions, in mean edge lengths; of
+    /// `smoothed-linear` the one that is smoothed.
     pub affine_defect: f64,
     /// The same before rows were corrected.
     pub affine_defect_before: f64,
@@ -54,6 +55,8 @@ pub struct TransferFigures {
     pub replaced_rows: usize,
     /// Rows made exact with more columns.
     pub extended_rows: usize,
+    /// Rows that nothing made exact.
+    pub left_rows: usize,
 }
 
 /// What prolongs on a transfer, and its matrix.
@@ -90,7 +93,7 @@ pub fn transfers<'a, E: Entry<Real = f64>>(
 /// Figures of each transfer, coarsest first.
 pub fn transfer_figures(hierarchy: &Hierarchy, all: &[Made]) -> Vec<TransferFigures> {
     let figures = |(number, Made { prolongation, made }): (usize, &Made)| {
-        let CorrectedRows { corrected, replaced, extended, .. } = made.corrected;
+        let CorrectedRows { corrected, replaced, extended, left } = made.corrected;
         let affine_defect = hierarchy.affine_defect(number, &made.matrix);
         TransferFigures {
             prolongation: prolongation.name(),
@@ -99,6 +102,7 @@ pub fn transfer_figures(hierarchy: &Hierarchy, all: &[Made]) -> Vec<TransferFigu
             corrected_rows: corrected,
             replaced_rows: replaced,
             extended_rows: extended,
+            left_rows: left,
         }
     };
     all.iter().enumerate().map(figures).collect()

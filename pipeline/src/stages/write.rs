@@ -101,7 +101,7 @@ impl Write {
         let bytes = files.iter().map(|file| size(file)).sum();
         // A stage before this one may have written other levels.
         state.written.extend_from_slice(&files);
-        let removed = remove_stale(folder, &state.written)?;
+        let removed = remove_stale(folder, &state.written, &state.path)?;
         Ok(WriteReport { files, bytes, removed, notes })
     }
 

@@ -7,7 +7,8 @@
 //! δ = |w| λ · (x_c − c), where the 3 × 3 matrix Σ |w| (x_c − c)(x_c − c)ᵀ takes λ to
 //! the miss. Columns on a line or in a plane may not reach x_f; the smallest change
 //! may be a large one. Then the linear rule is tried, and last the support is
-//! extended by the vertices of the tets round the coarse vertex or edge.
+//! extended by the vertices of the tets round the coarse vertex or edge, if need be
+//! by further rings of neighbours.
 
 use nalgebra::{Matrix3, SymmetricEigen, Vector3};
 use rayon::prelude::*;

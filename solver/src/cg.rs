@@ -236,6 +236,8 @@ mod tests {
             panic!("no convergence")
         };
         assert!(at.report.iterations < 500 && at.report.relative_residual < 1e-12);
+        let told = Error::NotConverged(at).to_string();
+        assert!(told.contains("rounding allows no more"), "{told}");
 
         rhs[7] = f64::INFINITY;
         assert!(matches!(solve(&a, &rhs, &all), Error::NotFinite { index: 7, .. }));

@@ -218,8 +218,8 @@ pub enum Error {
     },
     /// The iteration limit was reached.
     #[error(
-        "no convergence: relative residual {:.3e} after {} iterations",
-        .0.report.relative_residual, .0.report.iterations
+        "no convergence: relative residual {:.3e} after {} iterations{}",
+        .0.report.relative_residual, .0.report.iterations, rounding(.0)
     )]
     NotConverged(Box<Unfinished>),
     /// The progress callback asked to stop.
@@ -228,6 +228,16 @@ pub enum Error {
         .0.report.iterations, .0.report.relative_residual
     )]
     Stopped(Box<Unfinished>),
+}
+
+/// What to say where the residual of the recurrence goes on falling and the true one
+/// does not.
+fn rounding(at: &Unfinished) -> &'static str {
+    let recurrence = at.report.residual_history.last();
+    match recurrence.is_some_and(|last| *last < 0.5 * at.report.relative_residual) {
+        true => "; rounding allows no more, so the tolerance is too small for this system",
+        false => "",
+    }
 }
 
 impl Error {

@@ -9,12 +9,12 @@ use crate::projectors::Projectors;
 use crate::spectrum::largest_eigenvalue;
 use crate::transpose::transpose;
 
-/// The smoothed prolongation between the free directions of both levels: blocks
-/// where the matrix has blocks, since it mixes components.
+/// The smoothed prolongation to the free directions of this level: blocks where the
+/// matrix has blocks, since it mixes components.
 pub(crate) fn smoothed<E: Entry<Real = f64>>(
     (matrix, diagonal): (&Csr<E>, &Diagonal<E>),
     prolongation: &Csr<f64>,
-    [fine, coarse]: [&Projectors<E>; 2],
+    fine: &Projectors<E>,
 ) -> Csr<E> {
     let end = largest_eigenvalue(matrix, &diagonal.entries, &diagonal.inverses);
     let omega = 4.0 / (3.0 * end.estimate);
@@ -27,15 +27,14 @@ pub(crate) fn smoothed<E: Entry<Real = f64>>(
             let weight = prolongation.get(row, column as usize).unwrap_or(0.0);
             let step = diagonal.inverses[row].times(sum).scaled(-omega);
             let entry = step.add_scaled(weight, E::identity());
-            let entry = fine.get(row).map_or(entry, |q| q.times(entry));
-            values.push(coarse.get(column as usize).map_or(entry, |q| entry.times(*q)));
+            values.push(fine.get(row).map_or(entry, |q| q.times(entry)));
         }
     }
     product.with_values(values)
 }
 
-/// Pᵀ A P for a P of entries between free directions, with t (I − C) where coarse
-/// directions are not free; by two sparse products.
+/// C Pᵀ A P C + t (I − C) for a P of entries to free directions and the coarse
+/// projectors C, as in `galerkin`; by two sparse products.
 pub(crate) fn galerkin_of_entries<E: Entry<Real = f64>>(
     matrix: &Csr<E>,
     prolongation: &Csr<E>,

@@ -55,7 +55,7 @@ impl<E: Entry<Real = f64>> Transfer<E> {
     ) -> (Kept<F>, Csr<E>) {
         let Self { prolongation: p, smooth, coarse_matrix } = self;
         if smooth {
-            let smoothed = smoothed((matrix, diagonal), &p, [fine, coarse]);
+            let smoothed = smoothed((matrix, diagonal), &p, fine);
             drop(p);
             // A baseline: its product is that of weights that are not yet rounded.
             let product = || galerkin_of_entries(matrix, &smoothed, coarse);

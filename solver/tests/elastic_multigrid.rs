@@ -151,6 +151,38 @@ fn an_updated_multigrid_of_blocks_is_that_built_anew_to_the_last_bit() {
 }
 
 #[test]
+fn smoothed_prolongation_respects_constrained_directions() {
+    // One side slides on a slanted plane, a line of another is held without being dropped.
+    let free = |[x, y, z]: [f64; 3]| match (y == 1.0, z == 1.0 && x > 0.4) {
+        (_, true) => Some([[0.0; 3]; 3]),
+        (true, _) => Some(plane([1.0, 2.0, -2.0])),
+        _ => None,
+    };
+    let body = body(kuhn_cube(2), 3, (Scheme::Linear, 0.3, 1), free);
+    let iterations = |smooth: bool| {
+        let transfers = body
+            .prolongations
+            .iter()
+            .map(|prolongation| Transfer { smooth, ..Transfer::from(prolongation.clone()) });
+        let (transfers, projectors) = (transfers.collect(), body.projectors.clone());
+        let options = MultigridOptions { before: 2, after: 2, ..GAUSS_SEIDEL };
+        let mut multigrid =
+            Multigrid::with_transfers(&body.matrix, transfers, projectors, &options).unwrap();
+        let goal = SolveOptions::default();
+        let rhs = right_side(&body);
+        let (x, report) = conjugate_gradients(&body.matrix, &rhs, &mut multigrid, &goal).unwrap();
+        for (row, q) in &body.projectors[0] {
+            let x = x[*row as usize];
+            let left = [0, 1, 2].map(|i| x[i] - (0..3).map(|j| q[i][j] * x[j]).sum::<f64>());
+            assert!(norm(&left) <= 1e-7 * norm(&[x]).max(1.0), "row {row}: {left:?}");
+        }
+        report.iterations
+    };
+    let (smoothed, linear) = (iterations(true), iterations(false));
+    assert!(smoothed < linear, "{smoothed} {linear}");
+}
+
+#[test]
 fn blocks_have_the_same_bits_for_any_number_of_threads() {
     let cube = cube(Scheme::BoxSpline);
     for smoother in [MultigridOptions::default().smoother, Smoother::ColouredGaussSeidel] {

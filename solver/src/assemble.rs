@@ -11,7 +11,7 @@ use crate::dofs::Dofs;
 use crate::edge_rows::{Neighbours, edge_rows};
 use crate::element::{centroid, edge_stiffness};
 use crate::error::{Error, check_finite, check_size};
-use crate::poisson_load::{add_robin, blame_load, load_vector};
+use crate::poisson_load::{add_robin, check_load, load_vector};
 use crate::problem::Poisson;
 use crate::scatter::{Scatter, Sums};
 use octruss_mesh::{TetMesh, Topology};
@@ -72,9 +72,7 @@ pub fn assemble(mesh: &TetMesh, topology: &Topology, problem: &Poisson) -> Resul
     let load = load_vector(mesh, topology, problem)?;
     let rhs = lifted_load(&dofs, &neighbours, &couplings, &load);
     check_finite("stiffness matrix", matrix.values())?;
-    if let Err(error) = check_finite("load vector", &rhs) {
-        return Err(blame_load(mesh, problem).err().unwrap_or(error));
-    }
+    check_load(mesh, problem, &rhs)?;
     Ok(System { matrix, rhs, dofs })
 }
 

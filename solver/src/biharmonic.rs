@@ -15,7 +15,7 @@ use crate::csr::Csr;
 use crate::dofs::Dofs;
 use crate::error::{Error, check_finite};
 use crate::multiply::multiply;
-use crate::poisson_load::{blame_load, load_vector};
+use crate::poisson_load::{check_load, load_vector};
 use crate::problem::Poisson;
 use crate::rows::build_rows;
 use crate::scalar::Scalar;
@@ -46,7 +46,10 @@ pub fn assemble_biharmonic(
     dofs.check_anchored(mesh, |_| false)?;
     let (stiffness, all) = whole_stiffness(mesh, topology)?;
     // Rows over the root of the mass: products of both orders then round alike.
-    let roots: Vec<f64> = vertex_volumes(mesh).iter().map(|volume| volume.sqrt()).collect();
+    // The lumped mass of a vertex is what a source of 1 loads it with.
+    let one = Poisson { source: 1.0.into(), ..Poisson::default() };
+    let mass = load_vector(mesh, topology, &one)?;
+    let roots: Vec<f64> = mass.iter().map(|volume| volume.sqrt()).collect();
     let scaled = |row: u32| 1.0 / roots[all.free()[row as usize] as usize];
     let rows = free_rows(&stiffness, &all, &dofs, scaled);
     let matrix = multiply(&rows, &transpose(&rows));
@@ -66,9 +69,7 @@ pub fn assemble_biharmonic(
         rhs.iter_mut().zip(&lifted).for_each(|(rhs, lifted)| *rhs -= lifted);
     }
     check_finite("biharmonic matrix", matrix.values())?;
-    if let Err(error) = check_finite("load vector", &rhs) {
-        return Err(blame_load(mesh, &as_poisson).err().unwrap_or(error));
-    }
+    check_load(mesh, &as_poisson, &rhs)?;
     Ok(System { matrix, rhs, dofs })
 }
 
@@ -94,14 +95,4 @@ fn free_rows(
             values.iter_mut().zip(entries).for_each(|(value, entry)| *value = entry);
         },
     )
-}
-
-/// A quarter of the volume of the tets at each vertex.
-fn vertex_volumes(mesh: &TetMesh) -> Vec<f64> {
-    let mut volumes = vec![0.0; mesh.points().len()];
-    for (t, tet) in mesh.tets().iter().enumerate() {
-        let share = 0.25 * mesh.volume(t);
-        tet.iter().for_each(|&vertex| volumes[vertex as usize] += share);
-    }
-    volumes
 }

@@ -1,7 +1,7 @@
 //! What acts on a Poisson problem from outside: sources, fluxes, exchange.
 
 use crate::blame;
-use crate::error::Error;
+use crate::error::{Error, check_finite};
 use crate::foundation::Foundation;
 use crate::load::{add_at, tet_load, triangle_load};
 use crate::problem::{Poisson, Robin};
@@ -48,8 +48,14 @@ pub(crate) fn load_vector(
     Ok(load.into_flattened())
 }
 
+/// Checks that a right-hand side is finite; if not, says which datum is to blame.
+pub(crate) fn check_load(mesh: &TetMesh, problem: &Poisson, rhs: &[f64]) -> Result<(), Error> {
+    check_finite("load vector", rhs)
+        .map_err(|error| blame_load(mesh, problem).err().unwrap_or(error))
+}
+
 /// Which source, flux or surrounding value is not finite.
-pub(crate) fn blame_load(mesh: &TetMesh, problem: &Poisson) -> Result<(), Error> {
+fn blame_load(mesh: &TetMesh, problem: &Poisson) -> Result<(), Error> {
     blame::in_tets(mesh, "source", |region| from_ref(problem.source.of(region)))?;
     for (surface, flux) in &problem.flux {
         blame::on_surface(mesh, "flux", *surface, from_ref(flux))?;

@@ -4,8 +4,9 @@ use std::path::{Path, PathBuf};
 
 use octruss::{Recipe, comparison};
 
+use super::how_to_run::HowToRun;
+use super::interrupt;
 use super::progress::Display;
-use super::{Threads, interrupt};
 
 /// Compare prolongations, cycles and geometries on the problem of a config
 #[derive(clap::Args)]
@@ -17,38 +18,29 @@ use super::{Threads, interrupt};
     goes with every other; without the table the prolongations of the first stage `solve` are\n\
     compared on both geometries and all levels. Tables, CSV, JSON and a picture go to\n\
     out/NAME as compare.txt, .csv, .json and .svg. Every solve is by conjugate gradients; the\n\
-    stages before `subdivide`, `subdivide` and the first `solve` after it are looked at, other\n\
+    stages import, check, subdivide and the first `solve` after them are looked at, other\n\
     stages and [expect] are not. Ctrl-C ends it without a table.")]
 pub struct Compare {
     /// Config file
     #[arg(value_name = "CONFIG")]
     config: PathBuf,
-    /// Where output goes [default: out/NAME]
-    #[arg(long, value_name = "DIR")]
-    out: Option<PathBuf>,
-    /// Replace one value of the config; may be repeated
-    #[arg(long, value_name = "KEY=VALUE")]
-    set: Vec<String>,
     #[command(flatten)]
-    threads: Threads,
-    /// No progress on stderr; notes and errors stay
-    #[arg(long)]
-    quiet: bool,
+    how: HowToRun,
 }
 
 impl Compare {
     pub fn run(&self) -> anyhow::Result<()> {
-        let recipe = Recipe::load(&self.config, &self.set).map_err(octruss::Error::from)?;
-        let folder = self.out.clone().unwrap_or_else(|| Path::new("out").join(&recipe.name));
+        let recipe = Recipe::load(&self.config, &self.how.set).map_err(octruss::Error::from)?;
+        let folder = self.how.out.clone().unwrap_or_else(|| Path::new("out").join(&recipe.name));
         octruss::output::check_folder(&folder)?;
         comparison::Comparison::remove_earlier(&folder)?;
         let stop = interrupt::flag()?;
-        let display = Display::new(self.quiet);
+        let display = Display::new(self.how.quiet);
         let listener = |stage: usize, stages: usize, label: &str, news| {
             display.show(stage, stages, label, news);
         };
         let compared =
-            self.threads.install(|| comparison::compare(&recipe, &listener, &stop))??;
+            self.how.threads.install(|| comparison::compare(&recipe, &listener, &stop))??;
         let files = compared.write(&folder)?;
         super::print(&compared.text())?;
         let files: Vec<String> = files.iter().map(|path| path.display().to_string()).collect();

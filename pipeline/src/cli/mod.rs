@@ -8,6 +8,7 @@ mod card;
 mod compare;
 mod comparison;
 mod convert;
+mod how_to_run;
 mod info;
 mod interrupt;
 mod progress;

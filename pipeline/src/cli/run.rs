@@ -7,8 +7,9 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use octruss::recipe::{ConfigError, Place};
 use octruss::{Error, Recipe, Report, amount};
 
+use super::how_to_run::HowToRun;
 use super::progress::Display;
-use super::{Threads, comparison, interrupt, traffic};
+use super::{comparison, interrupt, traffic};
 
 /// Run configs: import, check, subdivide, solve, write, compare with what is expected
 #[derive(clap::Args)]
@@ -24,17 +25,8 @@ pub struct Run {
     /// Config files
     #[arg(required = true, value_name = "CONFIG")]
     configs: Vec<PathBuf>,
-    /// Where output goes [default: out/NAME]
-    #[arg(long, value_name = "DIR")]
-    out: Option<PathBuf>,
-    /// Replace one value of the configs; may be repeated
-    #[arg(long, value_name = "KEY=VALUE")]
-    set: Vec<String>,
     #[command(flatten)]
-    threads: Threads,
-    /// No progress on stderr; notes and errors stay
-    #[arg(long)]
-    quiet: bool,
+    how: HowToRun,
 }
 
 impl Run {
@@ -51,10 +43,10 @@ impl Run {
                 continue;
             }
             let folder = self.output_folder(&recipe.name);
-            if recipes.len() > 1 && !self.quiet {
+            if recipes.len() > 1 && !self.how.quiet {
                 super::say(&format!("── {} ──", recipe.name));
             }
-            let outcome = self.threads.install(|| self.run_one(recipe, &folder, &stop))?;
+            let outcome = self.how.threads.install(|| self.run_one(recipe, &folder, &stop))?;
             let (code, words) = match outcome {
                 Ok(report) => conclude(&report)?,
                 Err(error) => {
@@ -71,7 +63,7 @@ impl Run {
     }
 
     fn recipes(&self) -> Result<Vec<Recipe>, Error> {
-        let load = |path: &PathBuf| Recipe::load(path, &self.set).map_err(Error::from);
+        let load = |path: &PathBuf| Recipe::load(path, &self.how.set).map_err(Error::from);
         let recipes: Vec<Recipe> = self.configs.iter().map(load).collect::<Result<_, _>>()?;
         for (index, recipe) in recipes.iter().enumerate() {
             if recipes[..index].iter().any(|before| before.name == recipe.name) {
@@ -84,7 +76,7 @@ impl Run {
     }
 
     fn output_folder(&self, name: &str) -> PathBuf {
-        match &self.out {
+        match &self.how.out {
             Some(folder) if self.configs.len() == 1 => folder.clone(),
             Some(folder) => folder.join(name),
             None => Path::new("out").join(name),
@@ -92,7 +84,7 @@ impl Run {
     }
 
     fn run_one(&self, recipe: &Recipe, folder: &Path, stop: &AtomicBool) -> Result<Report, Error> {
-        let display = Display::new(self.quiet);
+        let display = Display::new(self.how.quiet);
         let listener = |stage: usize, stages: usize, label: &str, news| {
             display.show(stage, stages, label, news);
         };

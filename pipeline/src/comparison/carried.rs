@@ -2,16 +2,14 @@
 //! by a scheme and by linear interpolation, and both are compared with the solution
 //! of the finer level.
 
-use octruss_mesh::Hierarchy;
-use octruss_solver::{
-    Entry, Error, Multigrid, Nodal, Progress, SolveOptions, conjugate_gradients, dot, kernels, norm,
-};
+use octruss_mesh::{Hierarchy, Scheme};
+use octruss_solver::{Entry, Error, Nodal, dot, kernels, norm};
 use serde::Serialize;
 
+use super::attempt::attempt;
 use super::plan::Geometry;
-use crate::recipe::{Choice, Prolongation};
-use crate::stages::multigrid::Discrete;
-use crate::stages::transfers::transfers;
+use crate::recipe::Choice;
+use crate::stages::multigrid::{Discrete, set_up};
 use crate::stages::{Context, Solve};
 
 /// How near a carried solution comes to the one computed.
@@ -29,7 +27,7 @@ pub struct Carried {
     pub energy_difference: f64,
 }
 
-/// Carries the solution of the level below the finest up by each prolongation. What is
+/// Carries the solution of the level below the finest up by each scheme. What is
 /// prescribed on the finer level does not count. Nothing comes of a solution that is
 /// zero or that was not reached.
 ///
@@ -37,7 +35,7 @@ pub struct Carried {
 /// Whatever the solver reports.
 pub(super) fn carry<E: Entry<Real = f64>>(
     options: &Solve,
-    prolongations: &[Prolongation],
+    schemes: &[Scheme],
     (hierarchy, geometry): (&Hierarchy, Geometry),
     fine: &Discrete<E>,
     (coarse_hierarchy, coarse): (&Hierarchy, &Discrete<E>),
@@ -56,8 +54,8 @@ pub(super) fn carry<E: Entry<Real = f64>>(
         kernels::product(&fine.matrix, v, &mut image);
         dot(v, &image).sqrt()
     };
-    let carried = |prolongation: &Prolongation| {
-        let made = hierarchy.prolongation(transfer, prolongation.scheme());
+    let carried = |&scheme: &Scheme| {
+        let made = hierarchy.prolongation(transfer, scheme);
         let values = made.matrix.apply_field(Nodal::flat(&coarse_values), E::SIZE);
         let free = fine.finest().free().iter().zip(&computed);
         let mut difference: Vec<E::Nodal> = free
@@ -71,12 +69,12 @@ pub(super) fn carry<E: Entry<Real = f64>>(
         Carried {
             geometry: geometry.name(),
             level: transfer + 1,
-            prolongation: prolongation.name(),
+            prolongation: scheme.name(),
             difference: norm(&difference) / norm(&computed),
             energy_difference: energy(&difference) / energy(&computed),
         }
     };
-    Ok(prolongations.iter().map(carried).collect())
+    Ok(schemes.iter().map(carried).collect())
 }
 
 /// The solution of a level to the tolerance of the stage; none if that is not reached,
@@ -87,18 +85,7 @@ fn solution<E: Entry<Real = f64>>(
     discrete: &Discrete<E>,
     context: &Context,
 ) -> Result<Option<Vec<E::Nodal>>, Error> {
-    let which = options.transfer_options(options.prolongation[0]);
-    let (transfers, _) = transfers(&which, hierarchy, &discrete.levels)?;
-    let (matrix, cycle) = (&discrete.matrix, options.multigrid_options());
-    let projectors = discrete.projectors();
-    let mut multigrid = Multigrid::with_transfers(matrix, transfers, projectors, &cycle)?;
-    let (tolerance, max_iterations) = (options.tolerance.0, options.max_iterations);
-    let tell = |_: usize, _: f64| context.go_on();
-    let progress: Option<Progress> = Some(&tell);
-    let goal = SolveOptions { tolerance, max_iterations, progress, ..SolveOptions::default() };
-    match conjugate_gradients(matrix, &discrete.rhs, &mut multigrid, &goal) {
-        Ok((x, _)) => Ok(Some(x).filter(|x| norm(x) > 0.0)),
-        Err(Error::NotConverged(_) | Error::NotPositiveDefinite { .. }) => Ok(None),
-        Err(error) => Err(error),
-    }
+    let (mut multigrid, _) = set_up(options, options.prolongation[0], hierarchy, discrete)?;
+    let solved = attempt(options, (discrete, &discrete.rhs), &mut multigrid, context)?;
+    Ok(solved.map(|(x, _)| x).filter(|x| norm(x) > 0.0))
 }

@@ -6,6 +6,7 @@
 //!                                           └─▶ Carried (a coarse solution, interpolated)
 //! ```
 
+mod attempt;
 mod carried;
 mod picture;
 mod plan;

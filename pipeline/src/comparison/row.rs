@@ -4,15 +4,16 @@ use std::time::Instant;
 
 use octruss_mesh::Hierarchy;
 use octruss_solver::{
-    Csr, CycleShape, Entry, Error, Multigrid, MultigridOptions, Nodal, SolveOptions, SolveReport,
-    conjugate_gradients, geometric_mean, noise, reductions,
+    Csr, CycleShape, Entry, Error, Multigrid, MultigridOptions, Nodal, SolveReport, geometric_mean,
+    noise, reductions,
 };
 use serde::Serialize;
 
+use super::attempt::attempt;
 use super::plan::Geometry;
 use crate::recipe::Choice;
-use crate::stages::multigrid::Discrete;
-use crate::stages::transfers::{Made, TransferFigures, reassemble, transfer_figures, transfers};
+use crate::stages::multigrid::{Discrete, set_up};
+use crate::stages::transfers::{Made, TransferFigures, transfer_figures};
 use crate::stages::{Context, Solve};
 
 /// A variant on a level. Iterations are those of conjugate gradients for noise on the
@@ -120,7 +121,7 @@ impl<E: Entry<Real = f64>> Level<'_, E> {
     pub fn row(&self, options: &Solve) -> Result<Row, Error> {
         let cycle = options.multigrid_options();
         let (mut setups, mut solves) = (Vec::new(), Vec::new());
-        let (mut multigrid, made, setup) = self.set_up(options, &cycle)?;
+        let (mut multigrid, made, setup) = self.set_up(options)?;
         let figures = transfer_figures(self.hierarchy, &made);
         drop(made);
         setups.push(setup);
@@ -130,7 +131,7 @@ impl<E: Entry<Real = f64>> Level<'_, E> {
             solves.extend(report.as_ref().map(|report| report.solve_seconds));
             // Never two at once.
             drop(multigrid);
-            let again = self.set_up(options, &cycle)?;
+            let again = self.set_up(options)?;
             multigrid = again.0;
             setups.push(again.2);
             report = self.solve(&rhs, &mut multigrid, options)?;
@@ -178,23 +179,14 @@ impl<E: Entry<Real = f64>> Level<'_, E> {
         })
     }
 
-    fn set_up(
-        &self,
-        options: &Solve,
-        cycle: &MultigridOptions,
-    ) -> Result<(Multigrid<E>, Vec<Made<'_>>, f64), Error> {
-        let Discrete { matrix, levels, coarse_matrices, coarse_seconds, .. } = self.discrete;
+    /// The multigrid, what it was made from, and the time of it all, coarse matrices
+    /// that are re-assembled included.
+    fn set_up(&self, options: &Solve) -> Result<(Multigrid<E>, Vec<Made<'_>>, f64), Error> {
         let start = Instant::now();
-        let which = options.transfer_options(options.prolongation[0]);
-        let (mut transfers, made) = transfers(&which, self.hierarchy, levels)?;
-        let mut seconds = 0.0;
-        if options.reassembles() {
-            reassemble(&mut transfers, coarse_matrices);
-            seconds += coarse_seconds;
-        }
-        let projectors = self.discrete.projectors();
-        let multigrid = Multigrid::with_transfers(matrix, transfers, projectors, cycle)?;
-        Ok((multigrid, made, seconds + start.elapsed().as_secs_f64()))
+        let (multigrid, made) =
+            set_up(options, options.prolongation[0], self.hierarchy, self.discrete)?;
+        let reassembly = if options.reassembles() { self.discrete.coarse_seconds } else { 0.0 };
+        Ok((multigrid, made, reassembly + start.elapsed().as_secs_f64()))
     }
 
     /// Noise in the free directions.
@@ -213,18 +205,8 @@ impl<E: Entry<Real = f64>> Level<'_, E> {
         multigrid: &mut Multigrid<E>,
         options: &Solve,
     ) -> Result<Option<SolveReport>, Error> {
-        let tell = |_: usize, _: f64| self.context.go_on();
-        let stop = SolveOptions {
-            tolerance: options.tolerance.0,
-            max_iterations: options.max_iterations,
-            progress: Some(&tell),
-            ..SolveOptions::default()
-        };
-        match conjugate_gradients(&self.discrete.matrix, rhs, multigrid, &stop) {
-            Ok((_, report)) => Ok(Some(report)),
-            Err(Error::NotConverged(_) | Error::NotPositiveDefinite { .. }) => Ok(None),
-            Err(error) => Err(error),
-        }
+        let solved = attempt(options, (self.discrete, rhs), multigrid, self.context)?;
+        Ok(solved.map(|(_, report)| report))
     }
 }
 

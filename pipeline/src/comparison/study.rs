@@ -14,7 +14,7 @@ use super::row::{Level, Row};
 use super::verdict::verdict;
 use crate::error::Error;
 use crate::progress::{Listener, News, Progress};
-use crate::recipe::{Choice, ConfigError, Named, Place, Prolongation, Recipe};
+use crate::recipe::{Choice, ConfigError, Named, Place, Recipe};
 use crate::run::run_into;
 use crate::stages::multigrid::Discrete;
 use crate::stages::{Context, Problem, Solve, Stage, Subdivide, biharmonic, elasticity, poisson};
@@ -217,14 +217,11 @@ impl<'a> Study<'a> {
             refinements: hierarchy.refinements[..below].to_vec(),
         };
         let coarse_problem = discretise(self.solve, &coarse, context)?;
-        let own = Prolongation::Scheme(self.subdivide.scheme.0);
-        let mut prolongations = vec![Prolongation::Scheme(Scheme::Linear)];
-        if own != prolongations[0] {
-            prolongations.push(own);
-        }
+        let mut schemes = vec![Scheme::Linear, self.subdivide.scheme()];
+        schemes.dedup();
         let levels = (hierarchy, geometry);
         let below = (&coarse, &coarse_problem);
-        carried::carry(self.solve, &prolongations, levels, problem, below, context)
+        carried::carry(self.solve, &schemes, levels, problem, below, context)
             .map_err(|source| self.failed(source, "a solution to carry up", context))
     }
 }

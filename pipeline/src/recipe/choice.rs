@@ -2,7 +2,7 @@
 
 use std::str::FromStr;
 
-use octruss_mesh::{Diagonal, Marking, Scheme};
+use octruss_mesh::{AffineCorrection, Diagonal, InterfaceRows, Marking, Scheme};
 use serde::de::{Deserialize, Deserializer, Error};
 
 use super::nearest::suggestion;
@@ -31,28 +31,25 @@ pub trait Choice: Copy + 'static {
     fn name(self) -> &'static str;
 }
 
-impl Choice for Scheme {
-    const WHAT: &'static str = "scheme";
-    const ALL: &'static [Self] = &Scheme::ALL;
-    fn name(self) -> &'static str {
-        Scheme::name(self)
-    }
+/// The mesh crate names its choices itself.
+macro_rules! choices_of_the_mesh {
+    ($($choice:ident: $what:literal,)*) => {$(
+        impl Choice for $choice {
+            const WHAT: &'static str = $what;
+            const ALL: &'static [Self] = &$choice::ALL;
+            fn name(self) -> &'static str {
+                $choice::name(self)
+            }
+        }
+    )*};
 }
 
-impl Choice for Marking {
-    const WHAT: &'static str = "marking";
-    const ALL: &'static [Self] = &Marking::ALL;
-    fn name(self) -> &'static str {
-        Marking::name(self)
-    }
-}
-
-impl Choice for Diagonal {
-    const WHAT: &'static str = "diagonal";
-    const ALL: &'static [Self] = &Diagonal::ALL;
-    fn name(self) -> &'static str {
-        Diagonal::name(self)
-    }
+choices_of_the_mesh! {
+    Scheme: "scheme",
+    Marking: "marking",
+    Diagonal: "diagonal",
+    AffineCorrection: "affine correction",
+    InterfaceRows: "choice of interface rows",
 }
 
 impl<T: Choice> FromStr for Named<T> {

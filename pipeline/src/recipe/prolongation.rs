@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use octruss_mesh::{AffineCorrection, InterfaceRows, Scheme};
+use octruss_mesh::Scheme;
 use serde::de::value::MapAccessDeserializer;
 use serde::de::{Deserialize, Deserializer, Error, MapAccess, Visitor};
 
@@ -45,22 +45,6 @@ impl Choice for Prolongation {
             Self::Scheme(scheme) => scheme.name(),
             Self::SmoothedLinear => "smoothed-linear",
         }
-    }
-}
-
-impl Choice for AffineCorrection {
-    const WHAT: &'static str = "affine correction";
-    const ALL: &'static [Self] = &AffineCorrection::ALL;
-    fn name(self) -> &'static str {
-        AffineCorrection::name(self)
-    }
-}
-
-impl Choice for InterfaceRows {
-    const WHAT: &'static str = "choice of interface rows";
-    const ALL: &'static [Self] = &InterfaceRows::ALL;
-    fn name(self) -> &'static str {
-        InterfaceRows::name(self)
     }
 }
 

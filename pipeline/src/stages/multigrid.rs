@@ -10,7 +10,7 @@ use super::Context;
 use super::account::{AccountFigures, REPEATS};
 use super::method::MethodFigures;
 use super::solve::Solve;
-use super::transfers::{TransferFigures, reassemble, transfer_figures, transfers};
+use super::transfers::{Made, TransferFigures, reassemble, transfer_figures, transfers};
 use crate::progress::News;
 use crate::recipe::{Choice, Prolongations};
 
@@ -113,7 +113,7 @@ impl<E: Entry> Discrete<E> {
     }
 
     /// The projectors of each level, finest first.
-    pub fn projectors(&self) -> Vec<Vec<(u32, E)>> {
+    fn projectors(&self) -> Vec<Vec<(u32, E)>> {
         self.levels.iter().rev().map(|level| level.projectors.clone()).collect()
     }
 
@@ -131,6 +131,27 @@ impl<E: Entry> Discrete<E> {
     }
 }
 
+/// The multigrid of an assembled problem as the keys ask for it, and what it was made
+/// from, coarsest first.
+///
+/// # Errors
+/// Whatever the solver reports.
+pub fn set_up<'h, E: Entry<Real = f64>>(
+    options: &Solve,
+    prolongations: Prolongations,
+    hierarchy: &'h Hierarchy,
+    discrete: &Discrete<E>,
+) -> Result<(Multigrid<E>, Vec<Made<'h>>), Error> {
+    let which = options.transfer_options(prolongations);
+    let (mut transfers, made) = transfers(&which, hierarchy, &discrete.levels)?;
+    if options.reassembles() {
+        reassemble(&mut transfers, &discrete.coarse_matrices);
+    }
+    let (projectors, cycle) = (discrete.projectors(), options.multigrid_options());
+    let multigrid = Multigrid::with_transfers(&discrete.matrix, transfers, projectors, &cycle)?;
+    Ok((multigrid, made))
+}
+
 /// Solves an assembled problem; the unknowns, and figures of which `minimum` and
 /// `maximum` are still 0.
 ///
@@ -144,13 +165,8 @@ pub fn solve_with<E: Entry<Real = f64>>(
     context: &Context,
 ) -> Result<(Vec<E::Nodal>, SolveFigures), Error> {
     let start = Instant::now();
-    let Discrete { matrix, rhs, levels, coarse_matrices, .. } = discrete;
-    let transfer_options = options.transfer_options(prolongations);
-    let (mut transfers, made) = transfers(&transfer_options, hierarchy, levels)?;
-    reassemble(&mut transfers, coarse_matrices);
-    let projectors = discrete.projectors();
-    let cycle = options.multigrid_options();
-    let mut multigrid = Multigrid::with_transfers(matrix, transfers, projectors, &cycle)?;
+    let Discrete { matrix, rhs, .. } = discrete;
+    let (mut multigrid, made) = set_up(options, prolongations, hierarchy, discrete)?;
     let setup_seconds = start.elapsed().as_secs_f64();
     let figures_of_transfers = transfer_figures(hierarchy, &made);
     drop(made);

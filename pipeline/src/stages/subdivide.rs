@@ -158,7 +158,8 @@ impl Subdivide {
         }
     }
 
-    fn scheme(&self) -> Scheme {
+    /// The scheme with its parameters.
+    pub(crate) fn scheme(&self) -> Scheme {
         match self.scheme.0 {
             Scheme::Interpolatory { tension, marked } => {
                 Scheme::Interpolatory { tension: self.tension.map_or(tension, |w| w.0), marked }

@@ -1,0 +1,34 @@
+//! A solve that may fail to converge: a finding here, not an error.
+
+use octruss_solver::{Entry, Error, Multigrid, SolveOptions, SolveReport, conjugate_gradients};
+
+use crate::stages::multigrid::Discrete;
+use crate::stages::{Context, Solve};
+
+/// The unknowns, and what it took to find them.
+pub(super) type Solved<E> = (Vec<<E as Entry>::Nodal>, SolveReport);
+
+/// The unknowns and the report of a solve by conjugate gradients to the tolerance of the
+/// stage; none if that was not reached.
+///
+/// # Errors
+/// Whatever else the solver reports, also that it was asked to stop.
+pub(super) fn attempt<E: Entry<Real = f64>>(
+    options: &Solve,
+    (discrete, rhs): (&Discrete<E>, &[E::Nodal]),
+    multigrid: &mut Multigrid<E>,
+    context: &Context,
+) -> Result<Option<Solved<E>>, Error> {
+    let tell = |_: usize, _: f64| context.go_on();
+    let goal = SolveOptions {
+        tolerance: options.tolerance.0,
+        max_iterations: options.max_iterations,
+        progress: Some(&tell),
+        ..SolveOptions::default()
+    };
+    match conjugate_gradients(&discrete.matrix, rhs, multigrid, &goal) {
+        Ok(solved) => Ok(Some(solved)),
+        Err(Error::NotConverged(_) | Error::NotPositiveDefinite { .. }) => Ok(None),
+        Err(error) => Err(error),
+    }
+}

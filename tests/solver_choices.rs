@@ -211,7 +211,8 @@ fn wrong_choices_are_refused_where_they_stand() {
         (
             "smoother = \"chebishev\"",
             "13:12: `smoother` in stage `solve`: unknown smoother `chebishev`; did you mean \
-             `chebyshev`? (valid: auto, chebyshev, gauss-seidel, coloured-gauss-seidel, l1-jacobi)",
+             `chebyshev`? (valid: auto, chebyshev, hybrid-gauss-seidel, gauss-seidel, \
+             coloured-gauss-seidel, l1-jacobi)",
         ),
         ("cycle = \"f\"", "13:9: `cycle` in stage `solve`: unknown cycle `f`; did you mean `v`?"),
         (

@@ -90,26 +90,25 @@ pub(crate) fn account<E: Entry>(cycle: &mut Cycle<E>, unknowns: usize, repeats: 
     }
 }
 
-/// The kernels of a level in the order of a cycle, with the bytes that each moves.
-fn steps<E: Entry>(level: &Level<E>) -> [(&'static str, Step<E>, usize); 5] {
-    let vector = level.matrix.rows() * size_of::<E::Nodal>();
+/// The kernels of a level in the order of a cycle, with the bytes that each moves. A
+/// residual that sweeps leave is no kernel.
+fn steps<E: Entry>(level: &Level<E>) -> Vec<(&'static str, Step<E>, usize)> {
+    let vector = level.prolongation.rows() * size_of::<E::Nodal>();
     let coarse = size_of_val(&*level.coarse_rhs);
-    let sweeps = |count: usize, from_zero: bool| {
-        (0..count)
-            .map(|k| level.smoothing.sweep_bytes(&level.matrix, from_zero && k == 0))
-            .sum::<usize>()
-    };
-    [
-        ("smoothing before", |l, b, x| l.smooth_before(b, x, true), sweeps(level.before, true)),
-        ("residual", |l, b, x| l.compute_residual(b, x), level.matrix.bytes() + 3 * vector),
-        (
-            "restriction",
-            |l, _, _| l.restrict_residual(),
-            level.restriction.bytes() + vector + coarse,
-        ),
-        ("prolongation", |l, _, x| l.correct(x), level.prolongation.bytes() + coarse + 2 * vector),
-        ("smoothing after", |l, b, x| l.smooth_after(b, x), sweeps(level.after, false)),
-    ]
+    let [before, residual, after] = level.smoothing.cycle_bytes(level.before, level.after);
+    let mut steps: Vec<(&'static str, Step<E>, usize)> =
+        vec![("smoothing before", |l, b, x| l.smooth_before(b, x, true), before)];
+    if residual > 0 {
+        steps.push(("residual", |l, b, x| l.compute_residual(b, x), residual));
+    }
+    let restriction = level.restriction.bytes() + vector + coarse;
+    let prolongation = level.prolongation.bytes() + coarse + 2 * vector;
+    steps.extend([
+        ("restriction", (|l, _, _| l.restrict_residual()) as Step<E>, restriction),
+        ("prolongation", |l, _, x| l.correct(x), prolongation),
+        ("smoothing after", |l, b, x| l.smooth_after(b, x), after),
+    ]);
+    steps
 }
 
 /// The bytes that a cycle moves which visits level k `visits(k)` times, its input and

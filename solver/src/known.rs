@@ -26,6 +26,16 @@ impl<E: Entry, F: Entry> AnyTransfer<E, F> {
             Self::Kept(_) => true,
         }
     }
+
+    /// Unknowns of the fine and of the coarse level.
+    pub(crate) fn size(&self) -> (usize, usize) {
+        match self {
+            Self::New(Transfer { prolongation, .. }) => {
+                (prolongation.rows(), prolongation.columns())
+            }
+            Self::Kept(Kept { prolongation, .. }) => (prolongation.rows(), prolongation.columns()),
+        }
+    }
 }
 
 /// What does not depend on the numbers of a matrix.

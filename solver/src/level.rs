@@ -1,24 +1,21 @@
 //! One smoothed level of the multigrid: plain data and the steps of the cycle.
 
-use crate::colouring::Colouring;
 use crate::csr::Csr;
 use crate::diagonal::Diagonal;
 use crate::entry::Entry;
 use crate::galerkin::constrained_galerkin;
-use crate::gauss_seidel::Order;
-use crate::kernels::{product, residual};
+use crate::kernels::product;
 use crate::options::MultigridOptions;
 use crate::pattern::Pattern;
 use crate::projectors::{Projectors, project};
-use crate::smoothing::Smoothing;
+use crate::smoothing::{Grouping, Smoothing};
 use crate::weights::Weights;
 use octruss_mesh::large_array::zeroed;
 use std::sync::Arc;
 
-/// A matrix, its smoother, the transfer to the next coarser level and the work
+/// A matrix with its smoother, the transfer to the next coarser level and the work
 /// vectors of both, allocated once.
 pub(crate) struct Level<E: Entry> {
-    pub(crate) matrix: Csr<E>,
     pub(crate) smoothing: Smoothing<E>,
     pub(crate) before: usize,
     pub(crate) after: usize,
@@ -37,14 +34,14 @@ pub(crate) struct Level<E: Entry> {
 pub(crate) struct Kept<E: Entry> {
     pub(crate) prolongation: Weights<E>,
     pub(crate) restriction: Weights<E>,
-    /// The colours of the rows, if known.
-    colouring: Option<Colouring>,
+    /// How the rows are grouped for the smoother, if known.
+    pub(crate) grouping: Option<Grouping>,
 }
 
 impl<E: Entry> Kept<E> {
     /// From a prolongation in the precision of a cycle.
     pub(crate) fn new(prolongation: Weights<E>) -> Self {
-        Self { restriction: prolongation.transposed(), prolongation, colouring: None }
+        Self { restriction: prolongation.transposed(), prolongation, grouping: None }
     }
 
     /// The Galerkin product of a prolongation of numbers, see
@@ -68,19 +65,12 @@ impl<E: Entry> Level<E> {
     /// A level of `scale` times a matrix in double precision.
     pub(crate) fn new<D: Entry<Real = f64>>(
         (matrix, diagonal, scale): (&Csr<D>, Diagonal<D>, f64),
-        Kept { prolongation, restriction, colouring }: Kept<E>,
+        Kept { prolongation, restriction, grouping }: Kept<E>,
         [fine, coarse]: [&Projectors<D>; 2],
         options: &MultigridOptions,
     ) -> Self {
-        let rounded = matrix.cast_scaled(scale);
         Self {
-            smoothing: Smoothing::new(
-                (matrix, diagonal, fine),
-                (&rounded, scale),
-                options,
-                colouring,
-            ),
-            matrix: rounded,
+            smoothing: Smoothing::new((matrix, diagonal, scale), fine, options, grouping),
             before: options.before,
             after: options.after,
             projectors: fine.cast(),
@@ -96,31 +86,23 @@ impl<E: Entry> Level<E> {
     /// What another matrix with the same pattern can use.
     pub(crate) fn into_kept(self) -> Kept<E> {
         let Self { prolongation, restriction, smoothing, .. } = self;
-        Kept { prolongation, restriction, colouring: smoothing.into_colouring() }
+        Kept { prolongation, restriction, grouping: smoothing.into_grouping() }
     }
 
     /// The sweeps before the correction; with `from_zero` what they make of zero,
     /// whatever `x` holds.
     pub(crate) fn smooth_before(&mut self, b: &[E::Nodal], x: &mut Vec<E::Nodal>, from_zero: bool) {
-        if from_zero && self.before == 0 {
-            x.fill(E::Nodal::default());
-        }
-        for sweep in 0..self.before {
-            let from_zero = from_zero && sweep == 0;
-            self.smoothing.sweep(&self.matrix, (b, x), Order::Forward, from_zero);
-        }
+        self.smoothing.before(self.before, (b, x), from_zero, &mut self.residual);
+    }
+
+    /// The residual b − A x after these sweeps.
+    pub(crate) fn compute_residual(&mut self, b: &[E::Nodal], x: &[E::Nodal]) {
+        self.smoothing.residual(b, x, &mut self.residual);
     }
 
     /// The sweeps after the correction.
     pub(crate) fn smooth_after(&mut self, b: &[E::Nodal], x: &mut Vec<E::Nodal>) {
-        for _ in 0..self.after {
-            self.smoothing.sweep(&self.matrix, (b, x), Order::Backward, false);
-        }
-    }
-
-    /// The residual b − A x.
-    pub(crate) fn compute_residual(&mut self, b: &[E::Nodal], x: &[E::Nodal]) {
-        residual(&self.matrix, x, b, &mut self.residual);
+        self.smoothing.after(self.after, b, x);
     }
 
     /// The coarse right-hand side: Pᵀ times the residual.
@@ -145,7 +127,7 @@ impl<E: Entry> Level<E> {
 
     /// A coarse solution on this level, by another matrix than P or by P.
     pub(crate) fn transfer(&self, matrix: Option<&Csr<f64>>, coarse: &[E::Nodal]) -> Vec<E::Nodal> {
-        let mut x = vec![E::Nodal::default(); self.matrix.rows()];
+        let mut x = vec![E::Nodal::default(); self.prolongation.rows()];
         match matrix {
             Some(matrix) => product(&matrix.cast::<E::Real>(), coarse, &mut x),
             None => self.prolongation.product(coarse, &mut x),
@@ -158,8 +140,7 @@ impl<E: Entry> Level<E> {
     pub(crate) fn bytes(&self) -> usize {
         let transfers = self.prolongation.bytes() + self.restriction.bytes();
         let vectors = [&self.residual, &self.coarse_rhs, &self.coarse_x];
-        self.matrix.bytes()
-            + self.smoothing.bytes()
+        self.smoothing.bytes()
             + transfers
             + vectors.iter().map(|v| size_of_val(v.as_slice())).sum::<usize>()
     }

@@ -1,6 +1,7 @@
 //! Geometric multigrid from matrices alone.
 
 use crate::account::{Account, account, cycle_bytes};
+use crate::ancestors::domains;
 use crate::blocks::expand_blocks;
 use crate::coarse::CoarseSolver;
 use crate::csr::Csr;
@@ -11,10 +12,11 @@ use crate::entry::{Entry, Nodal};
 use crate::error::{Error, check_finite, check_size};
 use crate::known::{AnyTransfer, Known};
 use crate::level::Level;
-use crate::options::{MultigridOptions, Precision};
+use crate::options::{MultigridOptions, Precision, Smoother};
 use crate::pattern::Pattern;
 use crate::preconditioner::Preconditioner;
 use crate::projectors::Projectors;
+use crate::smoothing::Grouping;
 use crate::summary::LevelSummary;
 use crate::transfer::Transfer;
 use std::borrow::Cow;
@@ -99,6 +101,7 @@ impl<E: Entry<Real = f64>> Multigrid<E> {
         check_size("columns of the matrix", matrix.columns(), matrix.rows())?;
         check_size("lists of projectors", projectors.len(), transfers.len() + 1)?;
         check_finite("matrix", E::flat(matrix.values()))?;
+        let options = &options.resolved(E::SIZE > 1);
         let mut multigrid = match options.precision {
             Precision::Single => {
                 let known = Known::new(matrix, transfers, projectors)?;
@@ -163,9 +166,13 @@ impl<E: Entry<Real = f64>> Multigrid<E> {
         let (mut levels, mut summaries) = (Vec::new(), Vec::new());
         let mut current = Cow::Borrowed(matrix);
         let keeps_galerkin = transfers.iter().all(AnyTransfer::is_galerkin);
+        let is_new = transfers.iter().all(|transfer| matches!(transfer, AnyTransfer::New(_)));
+        let needs_domains = is_new && options.smoother == Smoother::HybridGaussSeidel;
+        let domains = if needs_domains { domains(&transfers) } else { Vec::new() };
+        let mut groupings = domains.into_iter().map(Grouping::Domains);
         for (transfer, constrained) in transfers.into_iter().zip(projectors.windows(2)) {
             let (number, both) = (levels.len(), [&constrained[0], &constrained[1]]);
-            let (kept, coarser) = match transfer {
+            let (mut kept, coarser) = match transfer {
                 AnyTransfer::New(transfer) => transfer.apply((&current, &diagonal), both),
                 AnyTransfer::Kept(kept) => {
                     let pattern = patterns.get(number + 1);
@@ -176,12 +183,13 @@ impl<E: Entry<Real = f64>> Multigrid<E> {
             if patterns.len() == number + 1 {
                 patterns.push(Arc::clone(coarser.pattern()));
             }
+            kept.grouping = kept.grouping.or_else(|| groupings.next());
             let scaled = (&*current, diagonal, scale);
             let level = Level::<F>::new(scaled, kept, both, options);
             summaries.push(LevelSummary {
                 bytes: level.bytes(),
                 prolongation_nonzeros: Some(level.prolongation.multiplications()),
-                largest_eigenvalue: level.smoothing.largest_eigenvalue,
+                largest_eigenvalue: level.smoothing.largest_eigenvalue(),
                 ..LevelSummary::of(&*current)
             });
             levels.push(level);
@@ -336,7 +344,7 @@ fn scale_to_one(diagonal: &[f64]) -> f64 {
 mod tests {
     use super::*;
     use crate::cg::conjugate_gradients;
-    use crate::options::Smoother;
+    use crate::options::CycleShape;
     use crate::random::noise;
     use crate::run::SolveOptions;
     use crate::stationary::mean_reduction;
@@ -366,10 +374,16 @@ mod tests {
 
     #[test]
     fn the_cycle_is_symmetric() {
-        for smoother in [Smoother::GaussSeidel, MultigridOptions::default().smoother] {
-            let double = MultigridOptions { precision: Precision::Double, ..Default::default() };
-            let options = MultigridOptions { smoother, before: 2, after: 2, ..double };
-            let (matrix, mut multigrid) = interval(8, &options);
+        let double = MultigridOptions { precision: Precision::Double, ..Default::default() };
+        // The last with four domains on the finest level.
+        for (smoother, shape, levels) in [
+            (Smoother::GaussSeidel, CycleShape::V, 8),
+            (Smoother::CHEBYSHEV, CycleShape::V, 8),
+            (Smoother::HybridGaussSeidel, CycleShape::V, 14),
+            (Smoother::HybridGaussSeidel, CycleShape::W, 14),
+        ] {
+            let options = MultigridOptions { smoother, shape, before: 2, after: 2, ..double };
+            let (matrix, mut multigrid) = interval(levels, &options);
             let [u, v] = [4, 5].map(|seed| noise(matrix.rows(), seed));
             let [mut mu, mut mv] = [u.clone(), v.clone()];
             multigrid.apply(&u, &mut mu);

@@ -5,6 +5,11 @@ use crate::error::Error;
 /// What one smoothing sweep is.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Smoother {
+    /// What takes the least time: [`HybridGaussSeidel`](Self::HybridGaussSeidel) for a
+    /// matrix of blocks whose diagonal is inverted by blocks, else
+    /// [`CHEBYSHEV`](Self::CHEBYSHEV).
+    /// [`Multigrid::options`](crate::Multigrid::options) tells which.
+    Auto,
     /// A Chebyshev polynomial in D⁻¹A: parallel, the same bits for any number
     /// of threads.
     Chebyshev {
@@ -23,6 +28,13 @@ pub enum Smoother {
     /// are not coupled and done in parallel. Good where colours are few, as with
     /// linear prolongation; costs a pass over x for each colour.
     ColouredGaussSeidel,
+    /// A Gauss–Seidel sweep within domains of some thousand neighbouring rows; from each
+    /// other they take the values before the sweep (Baker, Falgout, Kolev and Yang
+    /// 2011). Forward before the coarse correction, backward after it, a block at a time.
+    /// Parallel, the same bits for any number of threads. It reads half of the matrix
+    /// a sweep and leaves the residual, so an iteration moves a fourth of the bytes
+    /// that the others move; it takes half as many again as with Chebyshev polynomials.
+    HybridGaussSeidel,
     /// x ← x + D⁻¹ (b − A x), D the diagonal plus the absolute values of the rest
     /// of the row (Baker, Falgout, Kolev and Yang 2011): converges for every
     /// positive definite matrix without any estimate, if slowly.
@@ -83,11 +95,11 @@ pub struct MultigridOptions {
 }
 
 impl Default for MultigridOptions {
-    /// V(1,1), Chebyshev of degree 3 on the upper nine tenths with the diagonal's
-    /// blocks, single precision.
+    /// V(1,1), the smoother that takes the least time with the diagonal's blocks, single
+    /// precision.
     fn default() -> Self {
         Self {
-            smoother: Smoother::CHEBYSHEV,
+            smoother: Smoother::Auto,
             diagonal: DiagonalKind::Block,
             shape: CycleShape::V,
             before: 1,
@@ -98,12 +110,22 @@ impl Default for MultigridOptions {
 }
 
 impl MultigridOptions {
+    /// With what `Auto` stands for, for a matrix of blocks or of numbers.
+    pub(crate) fn resolved(mut self, has_blocks: bool) -> Self {
+        if self.smoother == Smoother::Auto {
+            let by_blocks = has_blocks && self.diagonal == DiagonalKind::Block;
+            self.smoother =
+                if by_blocks { Smoother::HybridGaussSeidel } else { Smoother::CHEBYSHEV };
+        }
+        self
+    }
+
     /// Products with the matrix that smoothing takes in one visit of a level.
     pub(crate) fn smoothing_products(&self) -> usize {
         let sweeps = self.before + self.after;
         match self.smoother {
             Smoother::Chebyshev { degree, .. } => degree * sweeps,
-            Smoother::GaussSeidel | Smoother::ColouredGaussSeidel | Smoother::L1Jacobi => sweeps,
+            _ => sweeps,
         }
     }
 

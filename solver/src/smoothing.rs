@@ -1,129 +1,123 @@
-//! The smoother of one level, whichever it is.
+//! The smoother of one level, whichever it is, with the matrix in the form it needs.
 
-use crate::chebyshev::Chebyshev;
 use crate::colouring::Colouring;
-use crate::csr::{Csr, cast_all};
+use crate::csr::Csr;
 use crate::diagonal::Diagonal;
+use crate::domains::Domains;
 use crate::entry::Entry;
-use crate::gauss_seidel::{Order, coloured_sweep, sweep};
-use crate::options::{MultigridOptions, Smoother};
+use crate::gauss_seidel::Order;
+use crate::hybrid_gauss_seidel::HybridGaussSeidel;
+use crate::options::MultigridOptions;
 use crate::projectors::Projectors;
-use crate::spectrum::largest_eigenvalue;
+use crate::row_smoothing::RowSmoothing;
 
-/// The estimated largest eigenvalue is from below by a few percent; the damped
-/// interval ends this much higher, unless a bound says that it need not. (Just
-/// beyond its end a Chebyshev polynomial still damps.)
-const SAFETY: f64 = 1.05;
-
-/// A smoother with its data and work vectors.
-pub(crate) struct Smoothing<E: Entry> {
-    inverse_diagonal: Vec<E>,
-    kind: Kind<E>,
-    /// The estimate for D⁻¹A, where the smoother needs one.
-    pub(crate) largest_eigenvalue: Option<f64>,
+/// A level's matrix and its smoother, with its data and work vectors.
+pub(crate) enum Smoothing<E: Entry> {
+    Rows(RowSmoothing<E>),
+    Hybrid(HybridGaussSeidel<E>),
 }
 
-enum Kind<E: Entry> {
-    Polynomial(Chebyshev<E>),
-    Lexicographic,
-    Coloured(Colouring, Vec<E::Nodal>),
+/// How the rows of a matrix are grouped, which depends on its pattern alone.
+pub(crate) enum Grouping {
+    Colours(Colouring),
+    Domains(Domains),
 }
 
 impl<E: Entry> Smoothing<E> {
-    /// The smoother of a matrix in the cycle's precision, `scale` times the one in
-    /// double precision. The colours of its rows may be known.
+    /// The smoother of `scale` times a matrix, in the cycle's precision. The groups of
+    /// its rows may be known.
     pub(crate) fn new<D: Entry<Real = f64>>(
-        (matrix, diagonal, projectors): (&Csr<D>, Diagonal<D>, &Projectors<D>),
-        (rounded, scale): (&Csr<E>, f64),
+        (matrix, diagonal, scale): (&Csr<D>, Diagonal<D>, f64),
+        projectors: &Projectors<D>,
         options: &MultigridOptions,
-        known: Option<Colouring>,
+        known: Option<Grouping>,
     ) -> Self {
-        let n = matrix.rows();
-        let diagonal = match options.smoother {
-            Smoother::Chebyshev { .. } => diagonal.of_kind(options.diagonal, projectors),
-            Smoother::L1Jacobi => diagonal.plus_rows(matrix, options.diagonal, projectors),
-            Smoother::GaussSeidel | Smoother::ColouredGaussSeidel => diagonal,
-        };
-        let inverse_diagonal: Vec<E> = cast_all(&diagonal.inverses, 1.0 / scale);
-        let mut largest = None;
-        let kind = match options.smoother {
-            Smoother::Chebyshev { degree, lower } => {
-                let entries: Vec<E> = cast_all(&diagonal.entries, scale);
-                let end = largest_eigenvalue(rounded, &entries, &inverse_diagonal);
-                largest = Some(end.estimate);
-                let upper = (SAFETY * end.estimate).min(end.bound);
-                Kind::Polynomial(Chebyshev::new(n, degree, lower * upper, upper))
+        let colours = match known {
+            Some(Grouping::Domains(domains)) => {
+                return Self::Hybrid(HybridGaussSeidel::new((matrix, &diagonal, scale), domains));
             }
-            Smoother::L1Jacobi => Kind::Polynomial(Chebyshev::plain(n)),
-            Smoother::GaussSeidel => Kind::Lexicographic,
-            Smoother::ColouredGaussSeidel => {
-                let colouring = known.unwrap_or_else(|| Colouring::greedy(matrix));
-                let buffer = vec![E::Nodal::default(); colouring.largest()];
-                Kind::Coloured(colouring, buffer)
-            }
+            Some(Grouping::Colours(colours)) => Some(colours),
+            None => None,
         };
-        Self { inverse_diagonal, kind, largest_eigenvalue: largest }
+        Self::Rows(RowSmoothing::new((matrix, diagonal, scale), projectors, options, colours))
     }
 
-    /// The colours of the rows, where they have some.
-    pub(crate) fn into_colouring(self) -> Option<Colouring> {
-        match self.kind {
-            Kind::Coloured(colouring, _) => Some(colouring),
-            Kind::Polynomial(_) | Kind::Lexicographic => None,
+    /// How the rows are grouped, if they are.
+    pub(crate) fn into_grouping(self) -> Option<Grouping> {
+        match self {
+            Self::Rows(rows) => rows.into_colouring().map(Grouping::Colours),
+            Self::Hybrid(hybrid) => Some(Grouping::Domains(hybrid.into_domains())),
         }
     }
 
-    /// One sweep for A x = b. With `from_zero`, `x` counts as zero whatever it holds.
-    pub(crate) fn sweep(
+    /// The sweeps before the correction; with `from_zero` from zero, whatever `x` holds.
+    /// Some leave the residual in `r`.
+    pub(crate) fn before(
         &mut self,
-        matrix: &Csr<E>,
+        sweeps: usize,
         (b, x): (&[E::Nodal], &mut Vec<E::Nodal>),
-        order: Order,
         from_zero: bool,
+        r: &mut [E::Nodal],
     ) {
-        let inverse_diagonal = &self.inverse_diagonal;
-        if from_zero && !matches!(self.kind, Kind::Polynomial(_)) {
-            x.fill(E::Nodal::default());
-        }
-        match &mut self.kind {
-            Kind::Polynomial(chebyshev) => {
-                chebyshev.smooth(matrix, inverse_diagonal, (b, x), from_zero);
+        match self {
+            Self::Rows(rows) => {
+                if from_zero && sweeps == 0 {
+                    x.fill(E::Nodal::default());
+                }
+                for sweep in 0..sweeps {
+                    rows.sweep((b, x), Order::Forward, from_zero && sweep == 0);
+                }
             }
-            Kind::Lexicographic => sweep(matrix, inverse_diagonal, b, x, order),
-            Kind::Coloured(colouring, buffer) => {
-                let rows = (&*colouring, &mut **buffer);
-                coloured_sweep((matrix, inverse_diagonal), rows, (b, x), order);
-            }
+            Self::Hybrid(hybrid) => hybrid.before(sweeps, (b, x), from_zero, r),
         }
     }
 
-    /// The memory of its data and work vectors, in bytes.
+    /// The residual after these sweeps, unless they left it.
+    pub(crate) fn residual(&self, b: &[E::Nodal], x: &[E::Nodal], r: &mut [E::Nodal]) {
+        match self {
+            Self::Rows(rows) => rows.residual(b, x, r),
+            Self::Hybrid(_) => {}
+        }
+    }
+
+    /// The sweeps after the correction.
+    pub(crate) fn after(&mut self, sweeps: usize, b: &[E::Nodal], x: &mut Vec<E::Nodal>) {
+        match self {
+            Self::Rows(rows) => {
+                for _ in 0..sweeps {
+                    rows.sweep((b, x), Order::Backward, false);
+                }
+            }
+            Self::Hybrid(hybrid) => hybrid.after(sweeps, b, x),
+        }
+    }
+
+    /// The estimated largest eigenvalue of D⁻¹A, where the smoother needs one.
+    pub(crate) fn largest_eigenvalue(&self) -> Option<f64> {
+        match self {
+            Self::Rows(rows) => rows.largest_eigenvalue,
+            Self::Hybrid(_) => None,
+        }
+    }
+
+    /// The memory of the matrix, its smoother's data and work vectors, in bytes.
     pub(crate) fn bytes(&self) -> usize {
-        let kind = match &self.kind {
-            Kind::Polynomial(chebyshev) => chebyshev.bytes(),
-            Kind::Lexicographic => 0,
-            Kind::Coloured(colouring, buffer) => colouring.bytes() + size_of_val(&**buffer),
-        };
-        size_of_val(&*self.inverse_diagonal) + kind
+        match self {
+            Self::Rows(rows) => rows.bytes(),
+            Self::Hybrid(hybrid) => hybrid.bytes(),
+        }
     }
 
-    /// The bytes that one sweep over a matrix moves, from the sizes of its arrays.
-    /// From zero a polynomial saves its first product.
-    pub(crate) fn sweep_bytes(&self, matrix: &Csr<E>, from_zero: bool) -> usize {
-        let (diagonal, vector) =
-            (size_of_val(&*self.inverse_diagonal), matrix.rows() * size_of::<E::Nodal>());
-        match &self.kind {
-            Kind::Polynomial(chebyshev) => {
-                // Reads x, b and d, writes d and the next x; the first step from
-                // zero reads b and writes d and x.
-                let step = matrix.bytes() + diagonal + 5 * vector;
-                let first = if from_zero { diagonal + 3 * vector } else { step };
-                first + (chebyshev.degree() - 1) * step
-            }
-            Kind::Lexicographic => matrix.bytes() + diagonal + 3 * vector,
-            Kind::Coloured(colouring, _) => {
-                matrix.bytes() + diagonal + 5 * vector + colouring.bytes()
-            }
+    /// The bytes that sweeps before the correction, from zero, the residual and sweeps
+    /// after the correction move.
+    pub(crate) fn cycle_bytes(&self, before: usize, after: usize) -> [usize; 3] {
+        match self {
+            Self::Rows(rows) => [
+                rows.sweeps_bytes(before, true),
+                rows.residual_bytes(),
+                rows.sweeps_bytes(after, false),
+            ],
+            Self::Hybrid(hybrid) => [hybrid.before_bytes(before), 0, hybrid.after_bytes(after)],
         }
     }
 }

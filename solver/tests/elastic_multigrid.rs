@@ -63,6 +63,28 @@ fn the_cube_takes_the_measured_iterations() {
 }
 
 #[test]
+fn domains_cost_few_iterations_on_every_level() {
+    for levels in [3, 4] {
+        let cube = body(kuhn_cube(2), levels, (Scheme::Linear, 0.3, 1), |_| None);
+        let hybrid = MultigridOptions { smoother: Smoother::HybridGaussSeidel, ..GAUSS_SEIDEL };
+        let counts = [GAUSS_SEIDEL, hybrid].map(|options| solve(&cube, &options).1.iterations);
+        assert!(counts[1] <= counts[0] + 2 && counts[1] <= 18, "{counts:?}");
+    }
+}
+
+#[test]
+fn auto_sweeps_by_domains_where_blocks_are_solved() {
+    let smoother = |diagonal| {
+        let body = cube(Scheme::Linear);
+        let options = MultigridOptions { diagonal, ..Default::default() };
+        let multigrid = Multigrid::new(&body.matrix, body.prolongations, &options);
+        multigrid.unwrap().options().smoother
+    };
+    assert_eq!(smoother(DiagonalKind::Block), Smoother::HybridGaussSeidel);
+    assert_eq!(smoother(DiagonalKind::Point), Smoother::CHEBYSHEV);
+}
+
+#[test]
 fn every_smoother_and_shape_converges() {
     let cube = cube(Scheme::Linear);
     let double = MultigridOptions { precision: Precision::Double, ..Default::default() };
@@ -75,15 +97,18 @@ fn every_smoother_and_shape_converges() {
         chebyshev(4),
         MultigridOptions { diagonal: DiagonalKind::Point, ..chebyshev(3) },
         with(Smoother::ColouredGaussSeidel),
+        with(Smoother::HybridGaussSeidel),
         with(Smoother::L1Jacobi),
         MultigridOptions { diagonal: DiagonalKind::Point, ..with(Smoother::L1Jacobi) },
         MultigridOptions { shape: CycleShape::W, ..chebyshev(2) },
         MultigridOptions { after: 0, ..chebyshev(2) },
+        MultigridOptions { shape: CycleShape::W, ..with(Smoother::HybridGaussSeidel) },
+        MultigridOptions { before: 0, ..with(Smoother::HybridGaussSeidel) },
     ];
     let counts = choices.map(|options| solve(&cube, &options).1.iterations);
     assert!(counts[..4].is_sorted_by(|a, b| a >= b), "a higher degree is no worse: {counts:?}");
     assert!(counts.iter().all(|count| *count <= 40), "{counts:?}");
-    assert!(counts[8] <= counts[1], "W is no worse than V: {counts:?}");
+    assert!(counts[9] <= counts[1] && counts[11] <= counts[6], "W is no worse than V: {counts:?}");
 }
 
 /// The projector onto the plane with this normal, not of length 1.
@@ -185,7 +210,9 @@ fn smoothed_prolongation_respects_constrained_directions() {
 #[test]
 fn blocks_have_the_same_bits_for_any_number_of_threads() {
     let cube = cube(Scheme::BoxSpline);
-    for smoother in [MultigridOptions::default().smoother, Smoother::ColouredGaussSeidel] {
+    for smoother in
+        [Smoother::CHEBYSHEV, Smoother::HybridGaussSeidel, Smoother::ColouredGaussSeidel]
+    {
         let options = MultigridOptions { smoother, ..Default::default() };
         let solutions = [1, 2, 3].map(|threads| {
             let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();

@@ -7,11 +7,18 @@ use super::choice::Choice;
 /// Each with its usual parameters.
 impl Choice for Smoother {
     const WHAT: &'static str = "smoother";
-    const ALL: &'static [Self] =
-        &[Self::CHEBYSHEV, Self::GaussSeidel, Self::ColouredGaussSeidel, Self::L1Jacobi];
+    const ALL: &'static [Self] = &[
+        Self::CHEBYSHEV,
+        Self::HybridGaussSeidel,
+        Self::GaussSeidel,
+        Self::ColouredGaussSeidel,
+        Self::L1Jacobi,
+    ];
     fn name(self) -> &'static str {
         match self {
             Self::Chebyshev { .. } => "chebyshev",
+            Self::Auto => "auto",
+            Self::HybridGaussSeidel => "hybrid-gauss-seidel",
             Self::GaussSeidel => "gauss-seidel",
             Self::ColouredGaussSeidel => "coloured-gauss-seidel",
             Self::L1Jacobi => "l1-jacobi",

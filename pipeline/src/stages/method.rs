@@ -81,11 +81,11 @@ impl Solve {
     /// The cycle that the keys ask for.
     pub(crate) fn multigrid_options(&self) -> MultigridOptions {
         let auto = MultigridOptions::default();
-        let smoother = match (self.smoother.0.unwrap_or(auto.smoother), self.smoothing_degree) {
-            (Smoother::Chebyshev { lower, .. }, Some(degree)) => {
+        let smoother = match (self.smoothing_degree, Smoother::CHEBYSHEV) {
+            (Some(degree), Smoother::Chebyshev { lower, .. }) => {
                 Smoother::Chebyshev { degree: degree.get().into(), lower }
             }
-            (smoother, _) => smoother,
+            _ => self.smoother.0.unwrap_or(auto.smoother),
         };
         let [before, after] = self.sweeps.0.map(usize::from);
         let shape = match self.cycle() {

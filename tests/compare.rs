@@ -72,6 +72,43 @@ fn every_variant_has_its_row() {
 }
 
 #[test]
+fn rows_name_the_smoother_that_ran() {
+    let folder = tempfile::tempdir().unwrap();
+    let config = std::fs::read_to_string(repository("configs/prolongation-study-torus.toml"));
+    let meshes = repository("examples/meshes").display().to_string();
+    let config = config.unwrap().replace("../examples/meshes", &meshes);
+    let lines = config.lines().filter(|line| !line.starts_with("smoother"));
+    let silent: Vec<&str> = lines.collect();
+    std::fs::write(folder.path().join("c.toml"), silent.join("\n")).unwrap();
+    let smoothers = |more: &[&str]| -> Vec<String> {
+        let few = [
+            "compare.levels=[1]",
+            "compare.sweeps=[1]",
+            "compare.prolongation=[\"box-spline\", \"linear\"]",
+            "compare.coarse-operator=[\"galerkin\"]",
+        ];
+        let set = few.iter().chain(more).flat_map(|set| ["--set", set]);
+        let arguments: Vec<&str> =
+            ["compare", "c.toml", "--out", "c"].into_iter().chain(set).collect();
+        succeed(folder.path(), &arguments);
+        let json = std::fs::read_to_string(folder.path().join("c/compare.json")).unwrap();
+        let json: Value = serde_json::from_str(&json).unwrap();
+        let rows = json["rows"].as_array().unwrap().iter();
+        let mut names: Vec<String> =
+            rows.map(|row| row["smoother"].as_str().unwrap().into()).collect();
+        names.sort();
+        names.dedup();
+        names
+    };
+    assert_eq!(smoothers(&[]), ["hybrid-gauss-seidel"]);
+    // A degree asks for the polynomial, but not in the place of another smoother.
+    let degree = "stage.solve.smoothing-degree=2";
+    assert_eq!(smoothers(&[degree]), ["chebyshev-2"]);
+    let list = "compare.smoother=[\"gauss-seidel\", \"chebyshev\"]";
+    assert_eq!(smoothers(&[degree, list]), ["chebyshev-2", "gauss-seidel"]);
+}
+
+#[test]
 fn the_same_numbers_come_as_text_csv_json_and_picture() {
     let folder = tempfile::tempdir().unwrap();
     let few = ["--set", "compare.sweeps=[1]", "--set", "compare.coarse-operator=[\"galerkin\"]"];

@@ -56,7 +56,8 @@ fn solve(folder: &Path, keys: &[(&str, &str)], components: &[f64]) -> (Value, f6
     (report(&out)["stages"][3]["solves"][0].clone(), error)
 }
 
-const SMOOTHERS: [&str; 4] = ["chebyshev", "gauss-seidel", "coloured-gauss-seidel", "l1-jacobi"];
+const SMOOTHERS: [&str; 5] =
+    ["chebyshev", "hybrid-gauss-seidel", "gauss-seidel", "coloured-gauss-seidel", "l1-jacobi"];
 
 #[test]
 fn all_combinations_agree_with_the_exact_solution_and_are_reported() {
@@ -101,6 +102,14 @@ fn nobody_has_to_choose() {
         let told = ["method", "cycle", "smoother", "precision"].map(|key| solve[key].clone());
         assert_eq!(told, ["cg", "v", "chebyshev", "single"]);
         assert!(solve["account"].is_null());
+    }
+    let problem = "problem = \"elasticity\"\nmaterial = { young = 2, poisson = 0.3 }";
+    write_config(folder.path(), problem, &format!("[\"{FIXED}\", 0, \"-({FIXED})\"]"));
+    for account in ["false", "true"] {
+        let (solve, error) = solve(folder.path(), &[("account", account)], &[1.0, 0.0, -1.0]);
+        let told = ["method", "cycle", "smoother", "precision"].map(|key| solve[key].clone());
+        assert_eq!(told, ["cg", "v", "hybrid-gauss-seidel", "single"]);
+        assert!(error < 1e-6 && solve["iterations"].as_u64().unwrap() <= 16, "{solve}");
     }
 }
 

@@ -47,17 +47,17 @@ struct OuterRow {
 /// needs to be checked.
 pub(crate) type Local<V> = [V; LIMIT];
 
-/// Of what D must exceed half of, O is at most this much. At 1 sweeps may fail to
-/// reduce an error.
+/// The norms of D⁻¹ O in a row sum to this at most: at 1 sweeps may leave an error.
 const MARGIN: f64 = 0.95;
 
 impl<E: Entry> DomainRows<E> {
     /// The rows in `ranges` of `scale` times a matrix. `places` has the domain of every
     /// row of the matrix and its number therein.
     ///
-    /// Sweeps reduce every error if 2 D − (D + O) is positive definite. Where the
-    /// couplings of a row to other domains are too strong for that, D is enlarged
-    /// and the difference taken from O, so that the sum stays the matrix.
+    /// A sweep reduces every error in the energy norm if M + Mᵀ − A, for M = L + D, is
+    /// positive definite: D − O is if in each row the norms of D⁻¹ O sum to less than 1.
+    /// Where they do not, D is multiplied by a g for which 2 g − 1 exceeds that sum, and
+    /// (1 − g) D goes to O, so that all together stay the matrix.
     pub(crate) fn new<D: Entry<Real = f64>>(
         (matrix, diagonal, scale): (&Csr<D>, &Diagonal<D>, f64),
         (domain, ranges): (u16, &[Range<usize>]),
@@ -74,21 +74,21 @@ impl<E: Entry> DomainRows<E> {
         for i in ranges.iter().cloned().flatten() {
             let (here, inverse) = (all.rows.len(), diagonal.inverses[i]);
             let before = (all.lower.len(), all.outer_columns.len());
-            let mut coupling = 0.0;
+            let mut outer_norm = 0.0;
             let (columns, values) = matrix.row(i);
             for (&j, value) in columns.iter().zip(values) {
                 let (other, place) = places[j as usize];
                 if other != domain {
-                    coupling += inverse.times(*value).norm();
+                    outer_norm += inverse.times(*value).norm();
                     all.push_outer(j, value.cast_scaled(scale));
                 } else if usize::from(place) < here {
                     all.lower.push(Coupling { value: value.cast_scaled(scale), place });
                 }
             }
-            let growth = (0.5 * (1.0 + coupling / MARGIN)).max(1.0);
+            let growth = (0.5 * (1.0 + outer_norm / MARGIN)).max(1.0);
             if growth > 1.0 {
-                let less = diagonal.entries[i].cast_scaled(scale * (1.0 - growth));
-                all.push_outer(i as u32, less);
+                let rest = diagonal.entries[i].cast_scaled(scale * (1.0 - growth));
+                all.push_outer(i as u32, rest);
             }
             let length = (all.lower.len() - before.0) as u32;
             all.rows.push(Row { inverse: inverse.cast_scaled(1.0 / (scale * growth)), length });
@@ -134,7 +134,9 @@ impl<E: Entry> DomainRows<E> {
             (entries, lower) = lower.split_at(row.length as usize);
             let i = usize::from(i as u16);
             let minus = E::Nodal::default().minus(x[i]);
-            // Asked for so rarely that D is not kept. The inverse of what was inverted.
+            // Asked for too rarely to keep D. Inverted again it is the D of the sweeps,
+            // which the cycle needs to be symmetric. Where rounding left no positive
+            // definite inverse, sweeps fail, too.
             let diagonal = row.inverse.inverse().unwrap_or_default();
             let mut sum = diagonal.add_product(minus, r[i]);
             for Coupling { value, place } in entries {

@@ -26,7 +26,9 @@ pub(crate) struct Domains {
 }
 
 impl Domains {
-    /// About 32 domains, each of 4 k to 32 k rows.
+    /// Domains of a 32nd of the rows: more than most machines have threads. But at least
+    /// 4 k rows, since smaller ones couple too much to each other, and at most 32 k, of
+    /// which solution and residual stay in a core's cache.
     pub(crate) fn new(rows: usize, path: impl Fn(usize) -> Option<Vec<u32>>) -> Self {
         Self::of_size((rows / 32).clamp(4_096, LIMIT / 2), rows, path)
     }
@@ -39,6 +41,7 @@ impl Domains {
         rows: usize,
         path: impl Fn(usize) -> Option<Vec<u32>>,
     ) -> Self {
+        debug_assert!(size + RUN <= LIMIT);
         let mut last = Vec::new();
         let runs = (0..rows.div_ceil(RUN)).map(|run| {
             let mut members = run * RUN..rows.min((run + 1) * RUN);

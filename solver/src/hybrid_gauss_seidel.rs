@@ -41,6 +41,7 @@ impl<E: Entry> HybridGaussSeidel<E> {
         domains: Domains,
     ) -> Self {
         let rows = scaled.0.rows();
+        assert!(domains.ranges().len() <= LIMIT, "domains are numbered by 16 bits");
         let mut places: Vec<(u16, u16)> = zeroed(rows);
         let pieces = domains.pieces(&mut places).into_par_iter().enumerate();
         pieces.for_each(|(domain, pieces)| {
@@ -92,8 +93,8 @@ impl<E: Entry> HybridGaussSeidel<E> {
         let mut next = std::mem::take(&mut self.next);
         for _ in 0..sweeps {
             self.for_domains(self.domains.pieces(&mut next), |part, ranges, work, mut next| {
-                gather(ranges, b, &mut work.r);
-                gather(ranges, x, &mut work.x);
+                gather(own(ranges, b), &mut work.r);
+                gather(own(ranges, x), &mut work.x);
                 part.subtract_outer(x, &mut work.r);
                 part.backward(&mut work.x, &mut work.r);
                 scatter(&work.x, &mut next);
@@ -108,8 +109,8 @@ impl<E: Entry> HybridGaussSeidel<E> {
         let pieces = self.domains.pieces(x).into_iter().zip(self.domains.pieces(r)).collect();
         self.for_domains(pieces, |part, ranges, work, (mut x, mut r)| {
             match b {
-                Some(b) => gather(ranges, b, &mut work.r),
-                None => gather_pieces(&r, &mut work.r),
+                Some(b) => gather(own(ranges, b), &mut work.r),
+                None => gather(r.iter().map(|piece| &**piece), &mut work.r),
             }
             part.forward(&mut work.x, &mut work.r);
             scatter(&work.x, &mut x);
@@ -117,7 +118,7 @@ impl<E: Entry> HybridGaussSeidel<E> {
         });
         if self.parts.len() > 1 {
             self.for_domains(self.domains.pieces(r), |part, _, work, mut r| {
-                gather_pieces(&r, &mut work.r);
+                gather(r.iter().map(|piece| &**piece), &mut work.r);
                 part.subtract_outer(x, &mut work.r);
                 scatter(&work.r, &mut r);
             });
@@ -127,8 +128,8 @@ impl<E: Entry> HybridGaussSeidel<E> {
     /// r = b − A x.
     fn residual(&self, b: &[E::Nodal], x: &[E::Nodal], r: &mut [E::Nodal]) {
         self.for_domains(self.domains.pieces(r), |part, ranges, work, mut r| {
-            gather(ranges, b, &mut work.r);
-            gather(ranges, x, &mut work.x);
+            gather(own(ranges, b), &mut work.r);
+            gather(own(ranges, x), &mut work.x);
             part.subtract_inner(&work.x, &mut work.r);
             part.subtract_outer(x, &mut work.r);
             scatter(&work.r, &mut r);
@@ -159,8 +160,14 @@ impl<E: Entry> HybridGaussSeidel<E> {
     /// The bytes that sweeps before the correction, from zero, and the residual move.
     pub(crate) fn before_bytes(&self, sweeps: usize) -> usize {
         let vector = size_of_val(&*self.next);
-        // Reads b, writes x and r, adds to r; each further sweep also adds to x.
-        sweeps * (self.matrix_bytes() + 5 * vector) + sweeps.saturating_sub(1) * 3 * vector
+        // Reads b, writes x and r; adds to r what other domains contribute.
+        let sweep = 3 + if self.parts.len() > 1 { 2 } else { 0 };
+        match sweeps {
+            // Copies b, clears x.
+            0 => 3 * vector,
+            // All but the first also add to x.
+            _ => sweeps * (self.matrix_bytes() + sweep * vector) + (sweeps - 1) * 3 * vector,
+        }
     }
 
     /// The bytes that sweeps after the correction move.
@@ -183,18 +190,13 @@ impl<V: Nodal> Workspace<V> {
     }
 }
 
-/// The rows of a domain.
-fn gather<V: Nodal>(ranges: &[Range<usize>], from: &[V], to: &mut Local<V>) {
-    let mut rest = &mut to[..];
-    for range in ranges {
-        let part;
-        (part, rest) = rest.split_at_mut(range.len());
-        part.copy_from_slice(&from[range.clone()]);
-    }
+/// The pieces of a vector in a domain.
+fn own<'v, V>(ranges: &[Range<usize>], vector: &'v [V]) -> impl Iterator<Item = &'v [V]> {
+    ranges.iter().map(|range| &vector[range.clone()])
 }
 
 /// The rows of a domain from their pieces.
-fn gather_pieces<V: Nodal>(from: &[&mut [V]], to: &mut Local<V>) {
+fn gather<'v, V: Nodal>(from: impl Iterator<Item = &'v [V]>, to: &mut Local<V>) {
     let mut rest = &mut to[..];
     for piece in from {
         let part;

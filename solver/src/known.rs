@@ -1,12 +1,15 @@
 //! What a multigrid is set up from: transfers as they were given, or as an earlier
 //! matrix with the same pattern left them.
 
+use crate::ancestors::domains;
 use crate::coarse::Elimination;
 use crate::csr::Csr;
 use crate::cycle::Cycle;
+use crate::domains::Domains;
 use crate::entry::Entry;
 use crate::error::Error;
 use crate::level::Kept;
+use crate::options::Smoother;
 use crate::pattern::Pattern;
 use crate::projectors::Projectors;
 use crate::transfer::Transfer;
@@ -26,16 +29,6 @@ impl<E: Entry, F: Entry> AnyTransfer<E, F> {
             Self::Kept(_) => true,
         }
     }
-
-    /// Unknowns of the fine and of the coarse level.
-    pub(crate) fn size(&self) -> (usize, usize) {
-        match self {
-            Self::New(Transfer { prolongation, .. }) => {
-                (prolongation.rows(), prolongation.columns())
-            }
-            Self::Kept(Kept { prolongation, .. }) => (prolongation.rows(), prolongation.columns()),
-        }
-    }
 }
 
 /// What does not depend on the numbers of a matrix.
@@ -45,6 +38,8 @@ pub(crate) struct Known<E: Entry, F: Entry> {
     /// Those of all levels, or of the finest alone.
     pub(crate) patterns: Vec<Arc<Pattern>>,
     pub(crate) elimination: Option<Elimination>,
+    /// Of each smoothed level, if the smoother needs some and they are not kept.
+    pub(crate) domains: Vec<Domains>,
 }
 
 impl<E: Entry<Real = f64>, F: Entry> Known<E, F> {
@@ -53,21 +48,29 @@ impl<E: Entry<Real = f64>, F: Entry> Known<E, F> {
         matrix: &Csr<E>,
         given: Vec<Transfer<E>>,
         projectors: Vec<Vec<(u32, E)>>,
+        smoother: Smoother,
     ) -> Result<Self, Error> {
         let mut rows = vec![matrix.rows()];
         let mut transfers = Vec::new();
         for transfer in given.into_iter().take_while(|t| t.prolongation.columns() > 0) {
             transfer.check(rows[transfers.len()])?;
             rows.push(transfer.prolongation.columns());
-            transfers.push(AnyTransfer::New(transfer));
+            transfers.push(transfer);
         }
+        let domains = match smoother {
+            Smoother::HybridGaussSeidel => domains(
+                &transfers.iter().map(|transfer| &transfer.prolongation).collect::<Vec<_>>(),
+            ),
+            _ => Vec::new(),
+        };
         let projectors = rows.into_iter().zip(projectors).enumerate();
         let projectors = projectors.map(|(level, (rows, list))| Projectors::new(level, rows, list));
         Ok(Self {
-            transfers,
+            transfers: transfers.into_iter().map(AnyTransfer::New).collect(),
             projectors: projectors.collect::<Result<_, _>>()?,
             patterns: vec![Arc::clone(matrix.pattern())],
             elimination: None,
+            domains,
         })
     }
 
@@ -79,6 +82,6 @@ impl<E: Entry<Real = f64>, F: Entry> Known<E, F> {
     ) -> Self {
         let (kept, elimination) = cycle.into_known();
         let transfers = kept.into_iter().map(AnyTransfer::Kept).collect();
-        Self { transfers, projectors, patterns, elimination }
+        Self { transfers, projectors, patterns, elimination, domains: Vec::new() }
     }
 }

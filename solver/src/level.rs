@@ -95,7 +95,8 @@ impl<E: Entry> Level<E> {
         self.smoothing.before(self.before, (b, x), from_zero, &mut self.residual);
     }
 
-    /// The residual b − A x after these sweeps.
+    /// The residual b − A x after [`Level::smooth_before`], and only then: some
+    /// smoothers left it.
     pub(crate) fn compute_residual(&mut self, b: &[E::Nodal], x: &[E::Nodal]) {
         self.smoothing.residual(b, x, &mut self.residual);
     }

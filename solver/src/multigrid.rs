@@ -1,7 +1,6 @@
 //! Geometric multigrid from matrices alone.
 
 use crate::account::{Account, account, cycle_bytes};
-use crate::ancestors::domains;
 use crate::blocks::expand_blocks;
 use crate::coarse::CoarseSolver;
 use crate::csr::Csr;
@@ -12,7 +11,7 @@ use crate::entry::{Entry, Nodal};
 use crate::error::{Error, check_finite, check_size};
 use crate::known::{AnyTransfer, Known};
 use crate::level::Level;
-use crate::options::{MultigridOptions, Precision, Smoother};
+use crate::options::{MultigridOptions, Precision};
 use crate::pattern::Pattern;
 use crate::preconditioner::Preconditioner;
 use crate::projectors::Projectors;
@@ -104,11 +103,11 @@ impl<E: Entry<Real = f64>> Multigrid<E> {
         let options = &options.resolved(E::SIZE > 1);
         let mut multigrid = match options.precision {
             Precision::Single => {
-                let known = Known::new(matrix, transfers, projectors)?;
+                let known = Known::new(matrix, transfers, projectors, options.smoother)?;
                 Self::build(matrix, known, options, AnyCycle::Single)?
             }
             Precision::Double => {
-                let known = Known::new(matrix, transfers, projectors)?;
+                let known = Known::new(matrix, transfers, projectors, options.smoother)?;
                 Self::build(matrix, known, options, AnyCycle::Double)?
             }
         };
@@ -120,7 +119,7 @@ impl<E: Entry<Real = f64>> Multigrid<E> {
     /// after a change of material: to the last bit what building it anew gives.
     ///
     /// Whatever depends on places and prolongations alone is kept: patterns,
-    /// transposes, colours of rows, the elimination order of the coarsest level. A
+    /// transposes, colours and domains of rows, the elimination order of the coarsest level. A
     /// multigrid that fails is lost.
     ///
     /// # Errors
@@ -160,15 +159,12 @@ impl<E: Entry<Real = f64>> Multigrid<E> {
         options: &MultigridOptions,
         any: fn(Cycle<F>) -> AnyCycle<E>,
     ) -> Result<Self, Error> {
-        let Known { transfers, projectors, mut patterns, elimination } = known;
+        let Known { transfers, projectors, mut patterns, elimination, domains } = known;
         let mut diagonal = Diagonal::new(matrix, 0)?;
         let scale = scale_to_one(E::flat(&diagonal.entries));
         let (mut levels, mut summaries) = (Vec::new(), Vec::new());
         let mut current = Cow::Borrowed(matrix);
         let keeps_galerkin = transfers.iter().all(AnyTransfer::is_galerkin);
-        let is_new = transfers.iter().all(|transfer| matches!(transfer, AnyTransfer::New(_)));
-        let needs_domains = is_new && options.smoother == Smoother::HybridGaussSeidel;
-        let domains = if needs_domains { domains(&transfers) } else { Vec::new() };
         let mut groupings = domains.into_iter().map(Grouping::Domains);
         for (transfer, constrained) in transfers.into_iter().zip(projectors.windows(2)) {
             let (number, both) = (levels.len(), [&constrained[0], &constrained[1]]);
@@ -291,12 +287,12 @@ impl<E: Entry> Multigrid<E> {
     }
 
     /// The work of one cycle in products with the finest matrix: on each
-    /// smoothed level the nonzeros times (smoothing products + 1 residual),
-    /// and twice those of the prolongation. (The first Chebyshev step of a
+    /// smoothed level the nonzeros times (smoothing products + 1 residual, unless
+    /// sweeps leave it), and twice those of the prolongation. (The first Chebyshev step of a
     /// cycle is counted although, from zero, it needs no product.) A W-cycle
     /// visits level k 2ᵏ times.
     pub fn work_units(&self) -> f64 {
-        let passes = self.options.smoothing_products() + 1;
+        let passes = self.options.products();
         let smoothed = &self.summaries[..self.summaries.len() - 1];
         let work = |(k, level): (usize, &LevelSummary)| {
             let visit = passes * level.nonzeros + 2 * level.prolongation_nonzeros.unwrap_or(0);
@@ -306,7 +302,7 @@ impl<E: Entry> Multigrid<E> {
         sum / self.summaries[0].nonzeros.max(1) as f64
     }
 
-    /// The choices it was built with.
+    /// The choices it was built with, and what `Auto` stood for.
     pub fn options(&self) -> &MultigridOptions {
         &self.options
     }
@@ -345,6 +341,7 @@ mod tests {
     use super::*;
     use crate::cg::conjugate_gradients;
     use crate::options::CycleShape;
+    use crate::options::Smoother;
     use crate::random::noise;
     use crate::run::SolveOptions;
     use crate::stationary::mean_reduction;
@@ -375,7 +372,7 @@ mod tests {
     #[test]
     fn the_cycle_is_symmetric() {
         let double = MultigridOptions { precision: Precision::Double, ..Default::default() };
-        // The last with four domains on the finest level.
+        // The last two with four domains on the finest level.
         for (smoother, shape, levels) in [
             (Smoother::GaussSeidel, CycleShape::V, 8),
             (Smoother::CHEBYSHEV, CycleShape::V, 8),

@@ -28,12 +28,16 @@ pub enum Smoother {
     /// are not coupled and done in parallel. Good where colours are few, as with
     /// linear prolongation; costs a pass over x for each colour.
     ColouredGaussSeidel,
-    /// A Gauss–Seidel sweep within domains of some thousand neighbouring rows; from each
+    /// A Gauss–Seidel sweep within domains of thousands of neighbouring rows; from each
     /// other they take the values before the sweep (Baker, Falgout, Kolev and Yang
-    /// 2011). Forward before the coarse correction, backward after it, a block at a time.
-    /// Parallel, the same bits for any number of threads. It reads half of the matrix
-    /// a sweep and leaves the residual, so an iteration moves a fourth of the bytes
-    /// that the others move; it takes half as many again as with Chebyshev polynomials.
+    /// 2011), with a larger diagonal where that is too little to converge. Forward before
+    /// the coarse correction, backward after it, a block at a time. Parallel, the same
+    /// bits for any number of threads.
+    ///
+    /// A sweep reads half of the matrix and leaves the residual: a cycle moves about a
+    /// quarter of the bytes of one with [`CHEBYSHEV`](Self::CHEBYSHEV). A level of less
+    /// than some 4,000 rows is one domain, so serial. Domains are good where neighbours
+    /// on the coarsest level are numbered near each other, as along a Hilbert curve.
     HybridGaussSeidel,
     /// x ← x + D⁻¹ (b − A x), D the diagonal plus the absolute values of the rest
     /// of the row (Baker, Falgout, Kolev and Yang 2011): converges for every
@@ -43,7 +47,12 @@ pub enum Smoother {
 
 impl Smoother {
     /// Degree 3 on the upper nine tenths of the interval.
-    pub const CHEBYSHEV: Self = Self::Chebyshev { degree: 3, lower: 0.1 };
+    pub const CHEBYSHEV: Self = Self::chebyshev(3);
+
+    /// A polynomial of another degree on the upper nine tenths.
+    pub const fn chebyshev(degree: usize) -> Self {
+        Self::Chebyshev { degree, lower: 0.1 }
+    }
 }
 
 /// Which diagonal a smoother of a matrix of blocks inverts; of a matrix of numbers
@@ -120,12 +129,17 @@ impl MultigridOptions {
         self
     }
 
-    /// Products with the matrix that smoothing takes in one visit of a level.
-    pub(crate) fn smoothing_products(&self) -> usize {
+    /// Products with the matrix in one visit of a level, that of the residual included.
+    pub(crate) fn products(&self) -> usize {
         let sweeps = self.before + self.after;
         match self.smoother {
-            Smoother::Chebyshev { degree, .. } => degree * sweeps,
-            _ => sweeps,
+            Smoother::Chebyshev { degree, .. } => degree * sweeps + 1,
+            // Sweeps leave the residual.
+            Smoother::HybridGaussSeidel => sweeps,
+            Smoother::Auto
+            | Smoother::GaussSeidel
+            | Smoother::ColouredGaussSeidel
+            | Smoother::L1Jacobi => sweeps + 1,
         }
     }
 

@@ -32,8 +32,8 @@ enum Kind<E: Entry> {
 }
 
 impl<E: Entry> RowSmoothing<E> {
-    /// The smoother of `scale` times a matrix, in the cycle's precision: Gauss–Seidel in
-    /// the order of the rows if it is no other. The colours of its rows may be known.
+    /// The smoother of `scale` times a matrix, in the cycle's precision. The colours of
+    /// its rows may be known.
     pub(crate) fn new<D: Entry<Real = f64>>(
         (matrix, diagonal, scale): (&Csr<D>, Diagonal<D>, f64),
         projectors: &Projectors<D>,
@@ -45,7 +45,10 @@ impl<E: Entry> RowSmoothing<E> {
         let diagonal = match options.smoother {
             Smoother::Chebyshev { .. } => diagonal.of_kind(options.diagonal, projectors),
             Smoother::L1Jacobi => diagonal.plus_rows(matrix, options.diagonal, projectors),
-            _ => diagonal,
+            Smoother::GaussSeidel
+            | Smoother::ColouredGaussSeidel
+            | Smoother::HybridGaussSeidel
+            | Smoother::Auto => diagonal,
         };
         let inverse_diagonal: Vec<E> = cast_all(&diagonal.inverses, 1.0 / scale);
         let mut largest = None;
@@ -63,7 +66,10 @@ impl<E: Entry> RowSmoothing<E> {
                 let buffer = vec![E::Nodal::default(); colouring.largest()];
                 Kind::Coloured(colouring, buffer)
             }
-            _ => Kind::Lexicographic,
+            // By domains is another's business; `Auto` was resolved.
+            Smoother::GaussSeidel | Smoother::HybridGaussSeidel | Smoother::Auto => {
+                Kind::Lexicographic
+            }
         };
         Self { matrix: rounded, inverse_diagonal, kind, largest_eigenvalue: largest }
     }

@@ -24,8 +24,8 @@ pub(crate) enum Grouping {
 }
 
 impl<E: Entry> Smoothing<E> {
-    /// The smoother of `scale` times a matrix, in the cycle's precision. The groups of
-    /// its rows may be known.
+    /// The smoother of `scale` times a matrix, in the cycle's precision: by domains where
+    /// some are given. Colours of the rows may be known.
     pub(crate) fn new<D: Entry<Real = f64>>(
         (matrix, diagonal, scale): (&Csr<D>, Diagonal<D>, f64),
         projectors: &Projectors<D>,

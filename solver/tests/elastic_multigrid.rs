@@ -156,6 +156,27 @@ fn constrained_directions_stay_so_and_cost_no_iterations() {
 }
 
 #[test]
+fn a_coarsest_mesh_without_order_costs_iterations_but_not_convergence() {
+    // Neighbours on the coarsest level are far from each other in its numbering, so
+    // domains are scattered.
+    let counts = [false, true].map(|is_shuffled| {
+        let mut raw = kuhn_cube(13).into_raw();
+        if is_shuffled {
+            let n = raw.points.len();
+            let new = |old: usize| old * 101 % n;
+            let old = raw.points.clone();
+            (0..n).for_each(|k| raw.points[new(k)] = old[k]);
+            raw.tets.iter_mut().flatten().for_each(|v| *v = new(*v as usize) as u32);
+            raw.triangles.simplices.iter_mut().flatten().for_each(|v| *v = new(*v as usize) as u32);
+        }
+        let mesh = octruss_mesh::check(raw, &Default::default()).unwrap().mesh;
+        let body = body(mesh, 1, (Scheme::Linear, 0.3, 1), |_| None);
+        solve(&body, &MultigridOptions::default()).1.iterations
+    });
+    assert!(counts[1] <= counts[0] + 6, "{counts:?}");
+}
+
+#[test]
 fn an_updated_multigrid_of_blocks_is_that_built_anew_to_the_last_bit() {
     let free = |[_, y, _]: [f64; 3]| (y == 1.0).then(|| plane([1.0, 2.0, -2.0]));
     for scheme in [Scheme::Linear, Scheme::BoxSpline] {

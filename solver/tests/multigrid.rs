@@ -202,6 +202,33 @@ fn single_precision_changes_no_count_by_more_than_one() {
 }
 
 #[test]
+fn sweeps_by_domains_converge_on_every_level_and_count_what_they_do() {
+    let hybrid = MultigridOptions { smoother: Smoother::HybridGaussSeidel, ..v11() };
+    let v22 = MultigridOptions { before: 2, after: 2, ..hybrid };
+    // Gauss–Seidel in the order of the rows takes 10 and 7 with linear, 9 and 6 with
+    // box-spline prolongation.
+    for (scheme, bounds) in [(Scheme::Linear, [12, 9]), (Scheme::BoxSpline, [11, 8])] {
+        for refinements in [3, 4] {
+            let cube = cube(refinements, scheme);
+            let counts = [hybrid, v22].map(|options| cube.iterations(&options));
+            assert!(counts[0] <= bounds[0] && counts[1] <= bounds[1], "{scheme:?}: {counts:?}");
+            let single = MultigridOptions { precision: Precision::Single, ..hybrid };
+            assert!(cube.iterations(&single).abs_diff(counts[0]) <= 1);
+        }
+    }
+    // Two passes over each matrix; three with a residual of its own.
+    let cube = cube(4, Scheme::Linear);
+    let [by_domains, by_rows] = [Smoother::HybridGaussSeidel, Smoother::GaussSeidel]
+        .map(|smoother| cube.multigrid(&MultigridOptions { smoother, ..v11() }));
+    let passes = by_rows.work_units() - by_domains.work_units();
+    assert!((passes - by_domains.operator_complexity()).abs() < 0.01, "{passes}");
+    assert!(by_domains.cycle_bytes() < by_rows.cycle_bytes() * 2 / 3);
+    assert!(by_domains.bytes() < by_rows.bytes());
+    let account = cube.multigrid(&hybrid).account(1);
+    assert!(account.kernels.iter().all(|kernel| kernel.kernel != "residual" && kernel.bytes > 0));
+}
+
+#[test]
 fn a_cycle_that_is_not_symmetric_runs_in_flexible_conjugate_gradients() {
     let cube = cube(3, Scheme::Linear);
     let counts = [(1, 1), (2, 0), (0, 2)].map(|(before, after)| {
@@ -325,7 +352,8 @@ fn quadratic_transfer_is_exact_for_quadratics() {
 #[test]
 fn an_updated_multigrid_is_that_built_anew_to_the_last_bit() {
     for scheme in [Scheme::Linear, Scheme::BoxSpline] {
-        let cube = cube(3, scheme);
+        // Large enough for several domains.
+        let cube = cube(4, scheme);
         // The same places, other numbers.
         let stretched = ByRegion::from(Scalar::function(|[x, y, _]| 1.0 + x + 30.0 * y * y));
         let fixed = (1..=6).map(|side| (side, 0.0.into())).collect();

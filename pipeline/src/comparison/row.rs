@@ -119,11 +119,11 @@ impl<E: Entry<Real = f64>> Level<'_, E> {
     /// # Errors
     /// Whatever the solver reports, but that it did not converge.
     pub fn row(&self, options: &Solve) -> Result<Row, Error> {
-        let cycle = options.multigrid_options();
         let (mut setups, mut solves) = (Vec::new(), Vec::new());
         let (mut multigrid, made, setup) = self.set_up(options)?;
         let figures = transfer_figures(self.hierarchy, &made);
         drop(made);
+        let cycle = *multigrid.options();
         setups.push(setup);
         let rhs = self.right_hand_side();
         let mut report = self.solve(&rhs, &mut multigrid, options)?;

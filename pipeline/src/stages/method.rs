@@ -81,11 +81,12 @@ impl Solve {
     /// The cycle that the keys ask for.
     pub(crate) fn multigrid_options(&self) -> MultigridOptions {
         let auto = MultigridOptions::default();
-        let smoother = match (self.smoothing_degree, Smoother::CHEBYSHEV) {
-            (Some(degree), Smoother::Chebyshev { lower, .. }) => {
-                Smoother::Chebyshev { degree: degree.get().into(), lower }
+        let smoother = match (self.smoother.0, self.smoothing_degree) {
+            // A degree asks for the polynomial.
+            (None | Some(Smoother::Chebyshev { .. }), Some(degree)) => {
+                Smoother::chebyshev(degree.get().into())
             }
-            _ => self.smoother.0.unwrap_or(auto.smoother),
+            (given, _) => given.unwrap_or(auto.smoother),
         };
         let [before, after] = self.sweeps.0.map(usize::from);
         let shape = match self.cycle() {

@@ -81,9 +81,10 @@ pub struct Solve {
     /// How full multigrid brings solutions to finer levels; `auto` is the scheme
     /// that refined them, if that is smooth, else quadratic.
     pub full_transfer: Auto<FullTransfer>,
-    /// What a smoothing sweep is; `auto` is Chebyshev.
+    /// What a smoothing sweep is; `auto` is hybrid Gauss–Seidel for elasticity, else
+    /// Chebyshev.
     pub smoother: Auto<Smoother>,
-    /// The degree of the Chebyshev smoother; 3 if not given.
+    /// The degree of the Chebyshev smoother, which it asks for; 3 if not given.
     pub smoothing_degree: Option<NonZeroU8>,
     /// Smoothing sweeps before and after each coarse correction.
     pub sweeps: Sweeps,

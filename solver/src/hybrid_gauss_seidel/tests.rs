@@ -7,7 +7,7 @@ const ROWS: usize = 150;
 
 type Dense = Vec<Vec<f64>>;
 
-/// Rows up to 20 apart coupled by noise, the diagonal four fifths of all couplings of
+/// Rows up to 20 apart coupled by noise, the diagonal from seven tenths of all couplings of
 /// its row together.
 fn matrix<E: Entry<Real = f64>>() -> Csr<E> {
     let numbers = noise(9 * 21 * ROWS, 17);
@@ -22,7 +22,11 @@ fn matrix<E: Entry<Real = f64>>() -> Csr<E> {
         let sum: f64 = near(i).map(|j| coupling(i, j).norm()).sum();
         for j in i.saturating_sub(20)..ROWS.min(i + 21) {
             indices.push(j as u32);
-            let diagonal = E::identity().scaled(0.8 * sum);
+            // Stretched differently along the axes, and full.
+            let diagonal = E::from_fn(|row, column| {
+                let off = 0.05 * sum;
+                if row == column { (0.7 + 0.3 * row as f64) * sum } else { off }
+            });
             values.push(if i == j { diagonal } else { coupling(i, j) });
         }
         offsets.push(indices.len());
@@ -57,7 +61,8 @@ fn lower<E: Entry<Real = f64>>(matrix: &Csr<E>) -> Dense {
         (0.5 * (1.0 + norms.sum::<f64>() / 0.95)).max(1.0)
     };
     let growth: Vec<f64> = (0..ROWS).map(growth).collect();
-    assert!(growth.iter().any(|g| *g > 1.0) && growth.contains(&1.0));
+    let sizes = growth.iter().fold([f64::MAX, 0.0_f64], |[a, b], g| [a.min(*g), b.max(*g)]);
+    assert!(sizes[0] == 1.0 && sizes[1] > 1.0, "{sizes:?}");
     let mut lower = dense(matrix);
     for (i, row) in lower.iter_mut().enumerate() {
         for (j, value) in row.iter_mut().enumerate() {
@@ -118,7 +123,9 @@ fn sweeps_are_those_of_the_splitting<E: Entry<Real = f64>>() {
         numbers.chunks(E::SIZE).map(|own| E::Nodal::from_fn(|k| own[k])).collect()
     };
     let b = noise(n, 3);
-    for (sweeps, start) in [(1, None), (3, None), (0, None), (2, Some(noise(n, 4)))] {
+    for (sweeps, start) in
+        [(1, None), (3, None), (0, None), (2, Some(noise(n, 4))), (0, Some(noise(n, 4)))]
+    {
         let mut exact = start.clone().unwrap_or(vec![0.0; n]);
         // From zero whatever is there.
         let mut x = nodal(&start.clone().unwrap_or(vec![7.0; n]));

@@ -151,6 +151,7 @@ impl Solve {
     ) -> Option<String> {
         match key {
             "smoothing-degree" => {
+                // A degree makes a polynomial of `auto`.
                 let needed_or_auto = [Smoother::CHEBYSHEV; 2];
                 belongs(key, "smoother", needed_or_auto, option, "this stage smooths by")
             }

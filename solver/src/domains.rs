@@ -9,7 +9,7 @@
 use std::ops::Range;
 
 /// Consecutive rows that stay together. Shorter runs make rounder domains and longer
-/// lists; with 64 up to twice as many entries lie between domains.
+/// lists; with 64 a fifth to a third more entries lie between domains.
 const RUN: usize = 16;
 
 /// More rows than a domain has: they are numbered by 16 bits.

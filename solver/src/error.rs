@@ -207,7 +207,8 @@ pub enum Error {
     /// positive.
     #[error(
         "the {what} is not positive definite (iteration {}): check that coefficients are \
-         positive and enough is fixed; if they are, try double precision in the cycle",
+         positive and enough is fixed; if they are, try another smoother or double precision \
+         in the cycle",
         .at.report.iterations
     )]
     NotPositiveDefinite {

@@ -144,12 +144,19 @@ impl<E: Entry> HybridGaussSeidel<E> {
         work: impl Fn(&DomainRows<E>, &[Range<usize>], &mut Workspace<E::Nodal>, T) + Sync,
     ) {
         let take = || self.idle.lock().unwrap_or_else(PoisonError::into_inner).pop();
-        let domains = self.parts.par_iter().zip(self.domains.ranges()).zip(pieces);
-        domains.with_max_len(1).for_each(|((part, ranges), pieces)| {
+        let run = |((part, ranges), pieces): ((&DomainRows<E>, &Vec<Range<usize>>), T)| {
             let mut workspace = take().unwrap_or_else(Workspace::new);
             work(part, ranges, &mut workspace, pieces);
             self.idle.lock().unwrap_or_else(PoisonError::into_inner).push(workspace);
-        });
+        };
+        let ranges = self.domains.ranges();
+        if self.parts.len() == 1 {
+            // Waking another thread would take longer.
+            self.parts.iter().zip(ranges).zip(pieces).for_each(run);
+        } else {
+            let domains = self.parts.par_iter().zip(ranges).zip(pieces);
+            domains.with_max_len(1).for_each(run);
+        }
     }
 
     /// The memory of the matrix and of work vectors, in bytes.

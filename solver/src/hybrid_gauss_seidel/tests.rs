@@ -106,8 +106,8 @@ fn agrees(ours: &[f64], exact: &[f64]) {
     assert!(off <= 1e-12 * size, "{off} of {size}");
 }
 
-/// Three sweeps before the correction, from zero and from elsewhere, and two after
-/// it, against the splitting of the dense matrix.
+/// Sweeps before the correction, from zero and from elsewhere, and two after it, against
+/// the splitting of the dense matrix.
 fn sweeps_are_those_of_the_splitting<E: Entry<Real = f64>>() {
     let matrix = matrix::<E>();
     let diagonal = Diagonal::new(&matrix, 0).unwrap();

@@ -1,8 +1,8 @@
 //! How long vectors are cut for parallel work: by length alone, never by the
 //! number of threads, so that sums over chunks have the same bits everywhere.
 
+use crate::workspaces::Workspaces;
 use rayon::prelude::*;
-use std::sync::{Mutex, PoisonError};
 
 /// Below this length a parallel loop costs more than it saves.
 const SERIAL_BELOW: usize = 3_000;
@@ -72,16 +72,7 @@ pub(crate) fn map_heavy_ranges<W: Send, R: Send>(
 ) -> Vec<R> {
     let len = (n / 64).clamp(64, 4_096);
     let range = |c: usize| c * len..((c + 1) * len).min(n);
-    // Which workspace a chunk gets changes nothing but the time. (Rayon's map_init
-    // would make one for every piece of work it splits off.)
-    let idle = Mutex::new(Vec::new());
-    let take = || idle.lock().unwrap_or_else(PoisonError::into_inner).pop();
+    let workspaces = Workspaces::new();
     let chunks = (0..n.div_ceil(len)).into_par_iter();
-    let run = |c: usize| {
-        let mut taken = take().unwrap_or_else(&workspace);
-        let result = work(&mut taken, range(c));
-        idle.lock().unwrap_or_else(PoisonError::into_inner).push(taken);
-        result
-    };
-    chunks.map(run).collect()
+    chunks.map(|c| workspaces.lend(&workspace, |own| work(own, range(c)))).collect()
 }

@@ -13,10 +13,10 @@ use crate::diagonal::Diagonal;
 use crate::domain_rows::{DomainRows, Local};
 use crate::domains::{Domains, LIMIT};
 use crate::entry::{Entry, Nodal};
+use crate::workspaces::Workspaces;
 use octruss_mesh::large_array::zeroed;
 use rayon::prelude::*;
 use std::ops::Range;
-use std::sync::{Mutex, PoisonError};
 
 /// The matrix of a level by domains, and what its sweeps work in.
 pub(crate) struct HybridGaussSeidel<E: Entry> {
@@ -24,8 +24,7 @@ pub(crate) struct HybridGaussSeidel<E: Entry> {
     parts: Vec<DomainRows<E>>,
     /// The correction of a sweep, or the next iterate.
     next: Vec<E::Nodal>,
-    /// What threads that are not at work left.
-    idle: Mutex<Vec<Workspace<E::Nodal>>>,
+    workspaces: Workspaces<Workspace<E::Nodal>>,
 }
 
 /// Solution and right-hand side, or residual, of a domain.
@@ -52,7 +51,8 @@ impl<E: Entry> HybridGaussSeidel<E> {
         let parts = parts.map(|(domain, ranges)| {
             DomainRows::new(scaled, (domain as u16, ranges.as_slice()), &places)
         });
-        Self { parts: parts.collect(), domains, next: zeroed(rows), idle: Mutex::default() }
+        let (parts, workspaces) = (parts.collect(), Workspaces::new());
+        Self { domains, parts, next: zeroed(rows), workspaces }
     }
 
     pub(crate) fn into_domains(self) -> Domains {
@@ -143,11 +143,8 @@ impl<E: Entry> HybridGaussSeidel<E> {
         pieces: Vec<T>,
         work: impl Fn(&DomainRows<E>, &[Range<usize>], &mut Workspace<E::Nodal>, T) + Sync,
     ) {
-        let take = || self.idle.lock().unwrap_or_else(PoisonError::into_inner).pop();
         let run = |((part, ranges), pieces): ((&DomainRows<E>, &Vec<Range<usize>>), T)| {
-            let mut workspace = take().unwrap_or_else(Workspace::new);
-            work(part, ranges, &mut workspace, pieces);
-            self.idle.lock().unwrap_or_else(PoisonError::into_inner).push(workspace);
+            self.workspaces.lend(Workspace::new, |own| work(part, ranges, own, pieces));
         };
         let ranges = self.domains.ranges();
         if self.parts.len() == 1 {

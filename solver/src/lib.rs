@@ -107,6 +107,7 @@ mod transfer;
 mod transpose;
 mod two_parents;
 mod weights;
+mod workspaces;
 
 pub use account::{Account, KernelTraffic};
 pub use assemble::{System, assemble};

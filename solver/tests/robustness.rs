@@ -170,6 +170,59 @@ fn extreme_coefficients() {
     }
 }
 
+/// Soft and nearly incompressible at the bottom, elsewhere `contrast` times as stiff;
+/// springs of the soft stiffness hold the top.
+fn soft_base(contrast: f64) -> (VectorSystem, Vec<Csr<f64>>) {
+    let mut raw = kuhn_cube(2).into_raw();
+    for t in 0..raw.tets.len() {
+        let height = raw.tets[t].iter().map(|&v| raw.points[v as usize][2]).sum::<f64>() / 4.0;
+        raw.regions[t] = i32::from(height > 0.5);
+    }
+    let coarse = check(raw, &Default::default()).unwrap().mesh;
+    let mut hierarchy = Hierarchy::new(coarse, &FeatureOptions::default());
+    (0..3).for_each(|_| hierarchy.subdivide(Scheme::Linear).unwrap());
+    let material =
+        |young, poisson| Material { density: 1.0.into(), ..Material::new(young, poisson) };
+    let mut by_region = ByRegion::from(material(contrast, 0.3));
+    by_region.regions.push((0, material(1.0, 0.45)));
+    let [zero, one] = [0.0, 1.0].map(Scalar::from);
+    let problem = Elasticity {
+        gravity: [zero.clone(), one.clone(), zero],
+        springs: vec![(6, Stiffness::Axes([one.clone(), one.clone(), one]))],
+        ..Elasticity::new(by_region)
+    };
+    let system =
+        assemble_elasticity(hierarchy.finest(), &hierarchy.topologies[3], &problem).unwrap();
+    let dofs = |level: usize| Dofs::new(&hierarchy.meshes[level], &[]).unwrap();
+    let prolongations = [2, 1, 0].map(|level| {
+        let matrix = linear_matrix(&hierarchy.topologies[level]);
+        restrict_to_free(&matrix, &dofs(level + 1), &dofs(level)).unwrap()
+    });
+    (system, prolongations.into())
+}
+
+#[test]
+fn soft_material_beside_hard_costs_few_iterations_more() {
+    let smoothers =
+        [(Smoother::CHEBYSHEV, 15), (Smoother::HybridGaussSeidel, 25), (Smoother::L1Jacobi, 50)];
+    for contrast in [1.0, 1e3, 1e6] {
+        let (system, prolongations) = soft_base(contrast);
+        for (smoother, alike) in smoothers {
+            let options = MultigridOptions { smoother, ..Default::default() };
+            let mut multigrid =
+                Multigrid::new(&system.matrix, prolongations.clone(), &options).unwrap();
+            // Rounding allows no more than 2e-6 where the body is a million times as
+            // stiff as what holds it.
+            let goal = SolveOptions { tolerance: 1e-5, ..Default::default() };
+            let (matrix, rhs) = (&system.matrix, &system.rhs);
+            let solved = conjugate_gradients(matrix, rhs, &mut multigrid, &goal);
+            let count = solved.unwrap().1.iterations;
+            let bound = if contrast == 1.0 { alike } else { alike * 3 / 2 };
+            assert!(count <= bound, "{contrast}, {smoother:?}: {count}");
+        }
+    }
+}
+
 #[test]
 fn slivers_cost_iterations_but_no_answer() {
     // The middle vertex of the cube is moved towards a corner of its cell: tets at

@@ -17,7 +17,10 @@ use crate::raw_mesh::RawMesh;
 pub fn part_of_vertices(raw: &RawMesh) -> Vec<u32> {
     let parents: Vec<AtomicU32> = (0..raw.points.len() as u32).map(AtomicU32::new).collect();
     raw.tets.par_iter().with_min_len(CHUNK).for_each(|&[first, rest @ ..]| {
-        rest.into_iter().for_each(|v| join(&parents, first, v));
+        // Once a part has mostly formed its vertices hang on the same.
+        let parent = |v: u32| parents[v as usize].load(Relaxed);
+        let common = parent(first);
+        rest.into_iter().filter(|v| parent(*v) != common).for_each(|v| join(&parents, first, v));
     });
     let mut roots = zeroed(parents.len());
     let numbered = roots.par_iter_mut().with_min_len(CHUNK).zip(0..parents.len() as u32);

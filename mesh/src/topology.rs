@@ -69,6 +69,11 @@ impl Topology {
         &self.tet_faces
     }
 
+    /// The edges whose lower end is a vertex; ascending, as are their higher ends.
+    pub fn edges_from(&self, vertex: usize) -> std::ops::Range<u32> {
+        self.first_edges[vertex]..self.first_edges[vertex + 1]
+    }
+
     /// The number of the edge between two vertices, if there is one.
     pub fn edge_between(&self, a: u32, b: u32) -> Option<u32> {
         find_edge(&self.edges, &self.first_edges, a, b)

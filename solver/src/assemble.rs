@@ -11,7 +11,7 @@ use crate::dofs::Dofs;
 use crate::edge_rows::{Neighbours, edge_rows};
 use crate::element::{centroid, edge_stiffness};
 use crate::error::{Error, check_finite, check_size};
-use crate::poisson_load::{add_robin, check_load, load_vector};
+use crate::poisson_load::{add_robin, add_surface_load, check_load, source_load};
 use crate::problem::Poisson;
 use crate::scatter::{Scatter, Sums};
 use octruss_mesh::{TetMesh, Topology};
@@ -48,14 +48,13 @@ impl System {
 /// connected part of the mesh has neither a prescribed value nor a Robin
 /// condition; [`Error::Size`] if the topology belongs to another mesh.
 pub fn assemble(mesh: &TetMesh, topology: &Topology, problem: &Poisson) -> Result<System, Error> {
-    let (tets, edges) = (mesh.tets().len(), topology.edges());
-    check_size("tets of the topology", topology.tet_edges().len(), tets)?;
+    check_size("tets of the topology", topology.tet_edges().len(), mesh.tets().len())?;
     check_size("vertices of the topology", topology.vertex_count(), mesh.points().len())?;
     problem.coefficient.check(mesh)?;
+    problem.source.check(mesh)?;
     let dofs = Dofs::new(mesh, &problem.fixed)?;
-    let scatter = Scatter::new(topology.tet_edges(), edges.len());
 
-    let mut couplings = edge_couplings(mesh, &scatter, problem)?;
+    let (mut couplings, mut load) = sums(mesh, topology, problem)?;
     let row_sums = add_robin(mesh, topology, &problem.robin, &mut couplings)?;
     dofs.check_anchored(mesh, |vertex| row_sums.get(vertex).is_some_and(|[sum]| *sum > 0.0))?;
     let neighbours = Neighbours::new(topology);
@@ -69,8 +68,8 @@ pub fn assemble(mesh: &TetMesh, topology: &Topology, problem: &Poisson) -> Resul
         |_, _, coupling| coupling,
         |vertex, sum| row_sum(vertex) - sum,
     );
-    let load = load_vector(mesh, topology, problem)?;
-    let rhs = lifted_load(&dofs, &neighbours, &couplings, &load);
+    add_surface_load(mesh, topology, problem, &mut load)?;
+    let rhs = lifted_load(&dofs, &neighbours, &couplings, load.as_flattened());
     check_finite("stiffness matrix", matrix.values())?;
     check_load(mesh, problem, &rhs)?;
     Ok(System { matrix, rhs, dofs })
@@ -84,8 +83,7 @@ pub(crate) fn whole_stiffness(
 ) -> Result<(Csr<f64>, Dofs), Error> {
     check_size("tets of the topology", topology.tet_edges().len(), mesh.tets().len())?;
     let dofs = Dofs::new(mesh, &[])?;
-    let scatter = Scatter::new(topology.tet_edges(), topology.edges().len());
-    let couplings = edge_couplings(mesh, &scatter, &Poisson::default())?;
+    let (couplings, _) = sums(mesh, topology, &Poisson::default())?;
     let matrix = edge_rows(
         &dofs,
         &Neighbours::new(topology),
@@ -96,32 +94,50 @@ pub(crate) fn whole_stiffness(
     Ok((matrix, dofs))
 }
 
-/// ∫ k ∇φa · ∇φb for each edge ab.
-fn edge_couplings<'s>(
+/// ∫ k ∇φa · ∇φb for each edge ab, and ∫ f φ for each vertex.
+fn sums(
     mesh: &TetMesh,
-    scatter: &'s Scatter<6>,
+    topology: &Topology,
     problem: &Poisson,
-) -> Result<Sums<'s, 1>, Error> {
-    let coefficient = |tet: usize| {
-        let k = problem.coefficient.of(mesh.regions()[tet]);
-        k.at(centroid(mesh.corners(tet)))
-    };
+) -> Result<(Sums<1>, Vec<[f64; 1]>), Error> {
     let first_bad = AtomicUsize::new(usize::MAX);
-    let couplings = scatter.sum(|tet| {
-        let k = coefficient(tet);
-        if !(k > 0.0 && k.is_finite()) {
-            first_bad.fetch_min(tet, Relaxed);
+    let couplings = |tet: usize| couplings(mesh, problem, tet, &first_bad);
+    let edges = Scatter::new(topology.tet_edges(), topology.edges().len());
+    let vertices = mesh.points().len();
+    let sums = match source_load(mesh, problem) {
+        None => (edges.sum(couplings), vec![[0.0]; vertices]),
+        Some(load) => {
+            // One pass, since both have to read the corners.
+            let at_vertices = Scatter::new(mesh.tets(), vertices);
+            let both = |tet: usize| (couplings(tet), load(tet));
+            let (couplings, load) = edges.sum_beside(&at_vertices, both);
+            (couplings, load.in_order())
         }
-        edge_stiffness(mesh.corners(tet)).map(|value| [k * value])
-    });
+    };
     match first_bad.into_inner() {
-        usize::MAX => Ok(couplings),
+        usize::MAX => Ok(sums),
         tet => {
             let region = mesh.regions()[tet];
             let told = problem.coefficient.of(region).told_at(centroid(mesh.corners(tet)));
             Err(Error::Coefficient { what: "coefficient", tet, region, told, expected: "positive" })
         }
     }
+}
+
+/// ∫ k ∇φa · ∇φb for the edges of a tet; notes the first tet where k is none.
+#[inline]
+fn couplings(
+    mesh: &TetMesh,
+    problem: &Poisson,
+    tet: usize,
+    first_bad: &AtomicUsize,
+) -> [[f64; 1]; 6] {
+    let corners = mesh.corners(tet);
+    let k = problem.coefficient.of(mesh.regions()[tet]).at(centroid(corners));
+    if !(k > 0.0 && k.is_finite()) {
+        first_bad.fetch_min(tet, Relaxed);
+    }
+    edge_stiffness(corners).map(|value| [k * value])
 }
 
 /// The load of each unknown minus the couplings with prescribed values.

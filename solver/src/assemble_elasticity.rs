@@ -88,11 +88,11 @@ pub(crate) fn lame(material: &Material, centroid: Vector3) -> [f64; 2] {
 }
 
 /// The block (a, b) of each edge a < b, row by row.
-fn edge_couplings<'s>(
+fn edge_couplings(
     mesh: &TetMesh,
-    scatter: &'s Scatter<6>,
+    scatter: &Scatter<6>,
     problem: &Elasticity,
-) -> Result<Sums<'s, 9>, Error> {
+) -> Result<Sums<9>, Error> {
     problem.material.check(mesh)?;
     let first_bad = AtomicUsize::new(usize::MAX);
     let couplings = scatter.sum(|tet| {
@@ -142,7 +142,7 @@ fn fault(material: &Material, at: Vector3) -> Option<(&'static str, String, &'st
 /// The stiffness before anything is held.
 struct Stiffness<'a> {
     neighbours: Neighbours<'a>,
-    couplings: Sums<'a, 9>,
+    couplings: Sums<9>,
     /// The sum of each row of blocks; empty where all are zero.
     row_sums: Vec<[f64; 9]>,
 }
@@ -151,7 +151,7 @@ impl Stiffness<'_> {
     /// The block of a vertex and its neighbour along an edge.
     #[inline]
     fn block(&self, edge: u32, vertex: u32) -> Matrix3 {
-        let block = unflattened(self.couplings.at(edge));
+        let block = unflattened(&self.couplings.at(edge));
         if self.neighbours.is_lower(edge, vertex) { block } else { transpose3(&block) }
     }
 

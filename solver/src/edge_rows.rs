@@ -5,32 +5,43 @@ use crate::dofs::Dofs;
 use crate::entry::Entry;
 use crate::rows::build_rows;
 use octruss_mesh::Topology;
-use octruss_mesh::topology::VertexEdges;
+use octruss_mesh::groups::Groups;
 
 /// The edges at each vertex with their other ends.
 pub(crate) struct Neighbours<'a> {
-    edges: &'a [[u32; 2]],
-    at_vertices: VertexEdges,
+    topology: &'a Topology,
+    /// The edges whose higher end is each vertex.
+    ending: Groups<u32>,
 }
 
 impl<'a> Neighbours<'a> {
     pub(crate) fn new(topology: &'a Topology) -> Self {
-        Self { edges: topology.edges(), at_vertices: VertexEdges::new(topology) }
+        let edges = topology.edges();
+        let end = |edge: usize| [(edges[edge][1], edge as u32)];
+        Self { topology, ending: Groups::new(topology.vertex_count(), edges.len(), end) }
     }
 
-    /// (edge, other end) at a vertex; other ends ascend.
+    /// How many edges a vertex has.
+    fn count(&self, vertex: u32) -> usize {
+        let vertex = vertex as usize;
+        self.ending.of(vertex).len() + self.topology.edges_from(vertex).len()
+    }
+
+    /// (edge, other end) at a vertex; edges and other ends ascend.
     #[inline]
     pub(crate) fn of(&self, vertex: u32) -> impl Iterator<Item = (u32, u32)> {
-        self.at_vertices.of(vertex as usize).iter().map(move |&edge| {
-            let [a, b] = self.edges[edge as usize];
-            (edge, if a == vertex { b } else { a })
-        })
+        let (vertex, edges) = (vertex as usize, self.topology.edges());
+        let ending = self.ending.of(vertex).iter().map(move |&e| (e, edges[e as usize][0]));
+        // Edges are sorted by their lower end: those that end in a vertex come
+        // before those that begin there.
+        let from = self.topology.edges_from(vertex).map(move |e| (e, edges[e as usize][1]));
+        ending.chain(from)
     }
 
     /// Whether a vertex is the lower end of an edge.
     #[inline]
     pub(crate) fn is_lower(&self, edge: u32, vertex: u32) -> bool {
-        self.edges[edge as usize][0] == vertex
+        self.topology.edges()[edge as usize][0] == vertex
     }
 
     /// How many neighbours of each vertex have no unknown.
@@ -57,16 +68,16 @@ pub(crate) fn edge_rows<E: Entry<Real = f64>>(
     build_rows(
         (dofs.unknowns(), dofs.unknowns()),
         |row| {
-            let vertex = dofs.free()[row] as usize;
-            1 + neighbours.at_vertices.of(vertex).len() - fixed[vertex] as usize
+            let vertex = dofs.free()[row];
+            1 + neighbours.count(vertex) - fixed[vertex as usize] as usize
         },
         |row, indices, values| {
             let vertex = dofs.free()[row];
             let (mut at, mut own, mut sum) = (0, None, E::default());
-            for (edge, other) in neighbours.of(vertex) {
+            neighbours.of(vertex).for_each(|(edge, other)| {
                 let value = coupling(edge, vertex);
                 sum = sum.add_scaled(1.0, value);
-                let Some(column) = dofs.unknown(other) else { continue };
+                let Some(column) = dofs.unknown(other) else { return };
                 // Other ends ascend; the row itself goes before the first larger one.
                 if own.is_none() && column as usize > row {
                     own = Some(at);
@@ -74,7 +85,7 @@ pub(crate) fn edge_rows<E: Entry<Real = f64>>(
                 }
                 (indices[at], values[at]) = (column, stored(vertex, other, value));
                 at += 1;
-            }
+            });
             let own = own.unwrap_or(at);
             (indices[own], values[own]) = (row as u32, diagonal(vertex, sum));
         },

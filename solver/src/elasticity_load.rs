@@ -64,7 +64,7 @@ fn volume_load(mesh: &TetMesh, problem: &Elasticity) -> Vec<Vector3> {
             let (density, gravity) = (density.at(p), values_at(&problem.gravity, p));
             std::array::from_fn(|k| force[k] + density * gravity[k])
         };
-        tet_load((mesh.corners(tet), mesh.volume(tet)), is_constant, at)
+        tet_load(mesh.corners(tet), is_constant, at)
     });
     sums.in_order()
 }

@@ -7,16 +7,16 @@ use octruss_mesh::Topology;
 
 /// The couplings of edges and, since rows no longer sum to zero, the row sums at
 /// vertices; `K` numbers each: 1 for a scalar, 9 for a symmetric 3 × 3 block.
-pub(crate) struct Foundation<'a, 'b, const K: usize> {
+pub(crate) struct Foundation<'a, const K: usize> {
     topology: &'a Topology,
-    couplings: &'a mut Sums<'b, K>,
+    couplings: &'a mut Sums<K>,
     /// ∫ c φ_a for each vertex; empty as long as nothing was added.
     row_sums: Vec<[f64; K]>,
 }
 
-impl<'a, 'b, const K: usize> Foundation<'a, 'b, K> {
+impl<'a, const K: usize> Foundation<'a, K> {
     /// Adds to the couplings of a topology's edges.
-    pub(crate) fn new(topology: &'a Topology, couplings: &'a mut Sums<'b, K>) -> Self {
+    pub(crate) fn new(topology: &'a Topology, couplings: &'a mut Sums<K>) -> Self {
         Self { topology, couplings, row_sums: Vec::new() }
     }
 
@@ -34,7 +34,7 @@ impl<'a, 'b, const K: usize> Foundation<'a, 'b, K> {
             let middle = std::array::from_fn(|k| 0.5 * (corners[a][k] + corners[b][k]));
             let value = c(middle).map(|c| share * c);
             if let Some(edge) = self.topology.edge_between(vertices[a], vertices[b]) {
-                add_times(1.0, value, self.couplings.at_mut(edge));
+                self.couplings.add_to(edge, value);
             }
             for vertex in [a, b] {
                 add_times(2.0, value, &mut self.row_sums[vertices[vertex] as usize]);

@@ -3,16 +3,17 @@
 //! Constants are integrated exactly; functions by rules of degree 2 (four
 //! points a tet, three a triangle), which leaves an L² rate of 2 intact.
 
-use crate::element::triangle_area;
+use crate::element::{scaled_gradients, triangle_area};
 use crate::quadrature::{DEGREE_2, TRIANGLE_DEGREE_2, position};
 
 /// ∫ f φ over a tet, for each corner.
 #[inline]
 pub(crate) fn tet_load<const K: usize>(
-    (corners, volume): ([[f64; 3]; 4], f64),
+    corners: [[f64; 3]; 4],
     is_constant: bool,
     f: impl Fn([f64; 3]) -> [f64; K],
 ) -> [[f64; K]; 4] {
+    let volume = scaled_gradients(corners).0 / 6.0;
     if is_constant {
         return [f(corners[0]).map(|value| 0.25 * volume * value); 4];
     }

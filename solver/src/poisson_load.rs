@@ -19,22 +19,38 @@ pub(crate) fn load_vector(
     problem: &Poisson,
 ) -> Result<Vec<f64>, Error> {
     problem.source.check(mesh)?;
-    let mut load = if problem.source.all(Scalar::is_zero) {
-        vec![[0.0]; mesh.points().len()]
-    } else {
-        let scatter = Scatter::new(mesh.tets(), mesh.points().len());
-        let sums = scatter.sum(|tet| {
-            let source = problem.source.of(mesh.regions()[tet]);
-            let place = (mesh.corners(tet), mesh.volume(tet));
-            tet_load(place, source.is_constant(), |p| [source.at(p)])
-        });
-        sums.in_order()
+    let mut load = source_load(mesh, problem).map_or_else(
+        || vec![[0.0]; mesh.points().len()],
+        |load| Scatter::new(mesh.tets(), mesh.points().len()).sum(load).in_order(),
+    );
+    add_surface_load(mesh, topology, problem, &mut load)?;
+    Ok(load.into_flattened())
+}
+
+/// ∫ f φ over a tet for its corners, unless f is 0.
+pub(crate) fn source_load(
+    mesh: &TetMesh,
+    problem: &Poisson,
+) -> Option<impl Fn(usize) -> [[f64; 1]; 4]> {
+    let load = |tet: usize| {
+        let source = problem.source.of(mesh.regions()[tet]);
+        tet_load(mesh.corners(tet), source.is_constant(), |p| [source.at(p)])
     };
+    (!problem.source.all(Scalar::is_zero)).then_some(load)
+}
+
+/// Adds ∫ g φ + ∫ c u₀ φ over surfaces.
+pub(crate) fn add_surface_load(
+    mesh: &TetMesh,
+    topology: &Topology,
+    problem: &Poisson,
+    load: &mut [[f64; 1]],
+) -> Result<(), Error> {
     let mut add = |surface: i32, is_constant: bool, flux: &dyn Fn([f64; 3]) -> f64| {
         check_attached(mesh, topology, surface)?;
         for triangle in triangles_of(mesh, surface) {
             let corners = triangle.map(|v| mesh.points()[v as usize]);
-            add_at(&mut load, triangle, triangle_load(corners, is_constant, |p| [flux(p)]));
+            add_at(load, triangle, triangle_load(corners, is_constant, |p| [flux(p)]));
         }
         Ok::<_, Error>(())
     };
@@ -45,7 +61,7 @@ pub(crate) fn load_vector(
         let is_constant = coefficient.is_constant() && value.is_constant();
         add(*surface, is_constant, &|p| coefficient.at(p) * value.at(p))?;
     }
-    Ok(load.into_flattened())
+    Ok(())
 }
 
 /// Checks that a right-hand side is finite; if not, says which datum is to blame.

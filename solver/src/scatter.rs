@@ -5,12 +5,12 @@
 //! that touches it; that chunk alone adds to it directly, in element order.
 //! What other chunks contribute goes to lists, which the owner adds afterwards in
 //! chunk order. Neighbouring elements share most targets, so the lists are short.
-//! Sums lie owner by owner: each chunk has a stretch of memory to itself.
 
-use crate::chunks::{chunk_len, for_chunks, map_ranges};
-use octruss_mesh::large_array::{self, zeroed};
+use crate::chunks::for_chunks;
+use octruss_mesh::large_array::{filled, zeros};
 use rayon::prelude::*;
-use std::sync::atomic::{AtomicU8, Ordering::Relaxed};
+use std::ops::Range;
+use std::sync::atomic::{AtomicU8, AtomicU64, Ordering::Relaxed};
 
 /// Enough to balance the load, few enough for their numbers to fit a byte.
 const CHUNKS: usize = 64;
@@ -18,38 +18,60 @@ const CHUNKS: usize = 64;
 /// Which chunk of elements owns each target, for elements with `N` targets.
 pub(crate) struct Scatter<'a, const N: usize> {
     elements: &'a [[u32; N]],
-    /// Where the sum of each target is.
-    places: Vec<u32>,
-    /// The first place of each chunk, then that of targets that none touches, then
-    /// the number of targets.
-    starts: [u32; CHUNKS + 2],
+    /// The first chunk that touches each target, or `CHUNKS`.
+    owners: Vec<u8>,
 }
 
 /// A sum of `K` numbers for each target.
-pub(crate) struct Sums<'a, const K: usize> {
-    places: &'a [u32],
-    sums: Vec<[f64; K]>,
+pub(crate) struct Sums<const K: usize> {
+    /// Bits of doubles. Only the owner of a target touches its sum, with plain loads and
+    /// stores; atomics tell the compiler that others may touch what lies beside it.
+    bits: Vec<AtomicU64>,
 }
 
-impl<const K: usize> Sums<'_, K> {
-    /// The sum at a target.
-    #[inline]
-    pub(crate) fn at(&self, target: u32) -> &[f64; K] {
-        &self.sums[self.places[target as usize] as usize]
+impl<const K: usize> Sums<K> {
+    fn zero(targets: usize) -> Self {
+        Self { bits: zeros(K * targets) }
     }
 
-    /// The sum at a target, to be changed.
-    pub(crate) fn at_mut(&mut self, target: u32) -> &mut [f64; K] {
-        &mut self.sums[self.places[target as usize] as usize]
+    /// The sum at a target.
+    #[inline]
+    pub(crate) fn at(&self, target: u32) -> [f64; K] {
+        let first = K * target as usize;
+        let bits = &self.bits[first..first + K];
+        std::array::from_fn(|k| f64::from_bits(bits[k].load(Relaxed)))
+    }
+
+    /// Adds to the sum at a target. Whoever adds to the same at once is lost.
+    #[inline]
+    fn add(&self, target: u32, value: &[f64; K]) {
+        let first = K * target as usize;
+        for (bits, value) in self.bits[first..first + K].iter().zip(value) {
+            let sum = f64::from_bits(bits.load(Relaxed)) + value;
+            bits.store(sum.to_bits(), Relaxed);
+        }
+    }
+
+    /// Adds to the sum at a target.
+    pub(crate) fn add_to(&mut self, target: u32, value: [f64; K]) {
+        self.add(target, &value);
+    }
+
+    /// Adds what chunks found for targets of others, owner by owner.
+    fn with(self, foreign: Vec<Foreign<K>>) -> Self {
+        (0..CHUNKS).into_par_iter().for_each(|owner| {
+            for (target, value) in foreign.iter().flat_map(|lists| &lists[owner]) {
+                self.add(*target, value);
+            }
+        });
+        self
     }
 
     /// The sums in the order of their targets.
     pub(crate) fn in_order(&self) -> Vec<[f64; K]> {
-        let mut all = zeroed_sums(self.places.len());
+        let mut all = filled([0.0; K], self.bits.len() / K);
         for_chunks(&mut all, |first, chunk| {
-            for (sum, &place) in chunk.iter_mut().zip(&self.places[first..]) {
-                *sum = self.sums[place as usize];
-            }
+            chunk.iter_mut().enumerate().for_each(|(k, sum)| *sum = self.at((first + k) as u32));
         });
         all
     }
@@ -58,32 +80,20 @@ impl<const K: usize> Sums<'_, K> {
 impl<'a, const N: usize> Scatter<'a, N> {
     /// Finds the owners of targets `0..targets`.
     pub(crate) fn new(elements: &'a [[u32; N]], targets: usize) -> Self {
-        let owners = owners(elements, targets);
-        let count = |range: std::ops::Range<usize>| {
-            let mut counts = [0; CHUNKS + 1];
-            owners[range].iter().for_each(|owner| counts[*owner as usize] += 1);
-            counts
-        };
-        // From counts in each range of targets to places: owner by owner, and with
-        // one owner in the order of targets.
-        let mut ranges: Vec<[u32; CHUNKS + 1]> = map_ranges(targets, count);
-        let mut starts = [0; CHUNKS + 2];
-        for owner in 0..=CHUNKS {
-            let mut next = starts[owner];
-            for range in &mut ranges {
-                next += std::mem::replace(&mut range[owner], next);
-            }
-            starts[owner + 1] = next;
-        }
-        let mut places = zeroed(targets);
-        for_chunks(&mut places, |first, chunk| {
-            let mut next = ranges[first / chunk_len(targets)];
-            for (place, owner) in chunk.iter_mut().zip(&owners[first..]) {
-                *place = next[*owner as usize];
-                next[*owner as usize] += 1;
-            }
-        });
-        Self { elements, places, starts }
+        let owners: Vec<AtomicU8> = (0..targets).map(|_| AtomicU8::new(CHUNKS as u8)).collect();
+        elements.par_chunks(element_chunk_len(elements)).enumerate().for_each(
+            |(chunk, elements)| {
+                for &target in elements.as_flattened() {
+                    let owner = &owners[target as usize];
+                    // Most targets were seen already: a plain load spares the costly
+                    // atomic minimum.
+                    if owner.load(Relaxed) > chunk as u8 {
+                        owner.fetch_min(chunk as u8, Relaxed);
+                    }
+                }
+            },
+        );
+        Self { elements, owners: owners.into_iter().map(AtomicU8::into_inner).collect() }
     }
 
     /// The sum at each target of what `contribution(element)` gives to it: `K`
@@ -91,78 +101,76 @@ impl<'a, const N: usize> Scatter<'a, N> {
     pub(crate) fn sum<const K: usize>(
         &self,
         contribution: impl Fn(usize) -> [[f64; K]; N] + Sync,
-    ) -> Sums<'_, K> {
-        let len = element_chunk_len(self.elements);
-        let mut sums = zeroed_sums(self.places.len());
-        let elements = self.elements.par_chunks(len).enumerate();
-        let foreign: Vec<Foreign<K>> = elements
-            .zip(self.owned(&mut sums))
-            .map(|((chunk, elements), own)| {
-                let mut foreign = std::array::from_fn(|_| Vec::new());
-                for (k, targets) in elements.iter().enumerate() {
-                    for (&target, value) in targets.iter().zip(contribution(chunk * len + k)) {
-                        let place = self.places[target as usize];
-                        // Places before the chunk's own wrap to large numbers.
-                        match own.get_mut(place.wrapping_sub(self.starts[chunk]) as usize) {
-                            Some(sum) => add(sum, &value),
-                            None => foreign[self.owner(place)].push((place, value)),
-                        }
-                    }
-                }
-                foreign
-            })
-            .collect();
-        self.owned(&mut sums).into_par_iter().enumerate().for_each(|(owner, own)| {
-            for (place, value) in foreign.iter().flat_map(|lists| &lists[owner]) {
-                add(&mut own[(place - self.starts[owner]) as usize], value);
-            }
+    ) -> Sums<K> {
+        let sums = Sums::zero(self.owners.len());
+        let chunks = self.chunks().map(|(chunk, elements)| {
+            let mut adding = Adding::new(chunk, &self.owners, &sums);
+            elements.for_each(|k| adding.add(&self.elements[k], &contribution(k)));
+            adding.foreign
         });
-        Sums { places: &self.places, sums }
+        let foreign = chunks.collect();
+        sums.with(foreign)
     }
 
-    /// The sums of each chunk's own targets.
-    fn owned<'s, const K: usize>(&self, mut sums: &'s mut [[f64; K]]) -> Vec<&'s mut [[f64; K]]> {
-        let mut owned = Vec::with_capacity(CHUNKS);
-        for ends in self.starts.windows(2).take(CHUNKS) {
-            let own;
-            (own, sums) = sums.split_at_mut((ends[1] - ends[0]) as usize);
-            owned.push(own);
-        }
-        owned
+    /// The sums at the targets of the same elements here and in `other`, in one pass.
+    pub(crate) fn sum_beside<const M: usize, const K: usize, const L: usize>(
+        &self,
+        other: &Scatter<M>,
+        contribution: impl Fn(usize) -> ([[f64; K]; N], [[f64; L]; M]) + Sync,
+    ) -> (Sums<K>, Sums<L>) {
+        assert_eq!(self.elements.len(), other.elements.len());
+        let (sums, others) = (Sums::zero(self.owners.len()), Sums::zero(other.owners.len()));
+        let chunks = self.chunks().map(|(chunk, elements)| {
+            let mut adding = Adding::new(chunk, &self.owners, &sums);
+            let mut beside = Adding::new(chunk, &other.owners, &others);
+            elements.for_each(|k| {
+                let (values, other_values) = contribution(k);
+                adding.add(&self.elements[k], &values);
+                beside.add(&other.elements[k], &other_values);
+            });
+            (adding.foreign, beside.foreign)
+        });
+        let (foreign, other_foreign) = chunks.unzip();
+        (sums.with(foreign), others.with(other_foreign))
     }
 
-    fn owner(&self, place: u32) -> usize {
-        self.starts.partition_point(|start| *start <= place) - 1
+    /// The chunks with their elements.
+    fn chunks(&self) -> impl IndexedParallelIterator<Item = (usize, Range<usize>)> {
+        let (count, len) = (self.elements.len(), element_chunk_len(self.elements));
+        let elements = move |chunk: usize| chunk * len..(chunk * len + len).min(count);
+        (0..count.div_ceil(len)).into_par_iter().map(move |chunk| (chunk, elements(chunk)))
     }
 }
 
-/// (place, value) for targets of other chunks, by their owners.
-type Foreign<const K: usize> = [Vec<(u32, [f64; K])>; CHUNKS];
+/// A chunk on its way through its elements.
+struct Adding<'a, const K: usize> {
+    chunk: usize,
+    owners: &'a [u8],
+    sums: &'a Sums<K>,
+    foreign: Foreign<K>,
+}
 
-/// The first chunk that touches each target, or `CHUNKS`.
-fn owners<const N: usize>(elements: &[[u32; N]], targets: usize) -> Vec<u8> {
-    let owners: Vec<AtomicU8> = (0..targets).map(|_| AtomicU8::new(CHUNKS as u8)).collect();
-    elements.par_chunks(element_chunk_len(elements)).enumerate().for_each(|(chunk, elements)| {
-        for &target in elements.as_flattened() {
-            let owner = &owners[target as usize];
-            // Most targets were seen already: a plain load spares the costly
-            // atomic minimum.
-            if owner.load(Relaxed) > chunk as u8 {
-                owner.fetch_min(chunk as u8, Relaxed);
+impl<'a, const K: usize> Adding<'a, K> {
+    fn new(chunk: usize, owners: &'a [u8], sums: &'a Sums<K>) -> Self {
+        Self { chunk, owners, sums, foreign: std::array::from_fn(|_| Vec::new()) }
+    }
+
+    /// Adds what an element gives to its targets.
+    #[inline]
+    fn add<const N: usize>(&mut self, targets: &[u32; N], values: &[[f64; K]; N]) {
+        for (&target, value) in targets.iter().zip(values) {
+            let owner = usize::from(self.owners[target as usize]);
+            if owner == self.chunk {
+                self.sums.add(target, value);
+            } else {
+                self.foreign[owner].push((target, *value));
             }
         }
-    });
-    owners.into_iter().map(AtomicU8::into_inner).collect()
+    }
 }
 
-fn zeroed_sums<const K: usize>(targets: usize) -> Vec<[f64; K]> {
-    large_array::filled([0.0; K], targets)
-}
-
-#[inline]
-fn add<const K: usize>(sum: &mut [f64; K], value: &[f64; K]) {
-    (0..K).for_each(|k| sum[k] += value[k]);
-}
+/// (target, value) for targets of other chunks, by their owners.
+type Foreign<const K: usize> = [Vec<(u32, [f64; K])>; CHUNKS];
 
 fn element_chunk_len<T>(elements: &[T]) -> usize {
     elements.len().div_ceil(CHUNKS).max(256)
@@ -183,7 +191,9 @@ mod tests {
         let mut slow = vec![[0.0; 2]; targets];
         for (k, targets) in elements.iter().enumerate() {
             for (target, value) in targets.iter().zip(value(k)) {
-                add(&mut slow[*target as usize], &value);
+                for k in 0..2 {
+                    slow[*target as usize][k] += value[k];
+                }
             }
         }
         for threads in [1, 2, 3] {
@@ -192,9 +202,17 @@ mod tests {
             let scatter = pool.install(|| Scatter::new(&elements, targets));
             let sums = pool.install(|| scatter.sum(value));
             assert_eq!(sums.in_order(), slow);
-            assert!((0..targets).all(|t| sums.at(t as u32) == &slow[t]));
+            assert!((0..targets).all(|t| sums.at(t as u32) == slow[t]));
             // Fractions: the same bits.
             let third = |k: usize| value(k).map(|v| v.map(|v| v / 3.0));
+            // Beside other targets nothing changes.
+            let firsts: Vec<[u32; 1]> = elements.iter().map(|[first, ..]| [*first]).collect();
+            let at_firsts = Scatter::new(&firsts, targets);
+            let both = |k: usize| (third(k), [third(k)[0]]);
+            let (sums, at_firsts_too) = pool.install(|| scatter.sum_beside(&at_firsts, both));
+            assert_eq!(sums.in_order(), scatter.sum(third).in_order());
+            let alone = at_firsts.sum(|k| [third(k)[0]]);
+            assert_eq!(at_firsts_too.in_order(), alone.in_order());
             let bits = pool.install(|| scatter.sum(third).in_order());
             assert_eq!(bits, Scatter::new(&elements, targets).sum(third).in_order());
         }

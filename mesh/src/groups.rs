@@ -7,6 +7,7 @@
 //! no comparisons; entries of one key keep the order of their sources.
 
 use rayon::prelude::*;
+use std::slice::IterMut;
 
 use crate::chunks;
 use crate::large_array::zeroed;
@@ -54,12 +55,10 @@ impl<E: Copy + Default + Send + Sync> Groups<E> {
         let mut staged: Vec<(u32, E)> = zeroed(sizes.iter().sum());
         pieces(&mut staged, blocks, &counts).into_par_iter().enumerate().for_each(
             |(chunk, mut pieces)| {
-                let mut ends = vec![0; blocks];
                 for source in sources_of(chunk) {
                     for (key, entry) in emit(source) {
-                        let block = (key >> shift) as usize;
-                        pieces[block][ends[block]] = (key, entry);
-                        ends[block] += 1;
+                        let place = pieces[(key >> shift) as usize].next();
+                        *place.expect("its entries were counted") = (key, entry);
                     }
                 }
             },
@@ -151,14 +150,14 @@ fn pieces<'a, T>(
     staged: &'a mut [T],
     blocks: usize,
     counts: &[Vec<usize>],
-) -> Vec<Vec<&'a mut [T]>> {
-    let mut pieces: Vec<Vec<&mut [T]>> =
+) -> Vec<Vec<IterMut<'a, T>>> {
+    let mut pieces: Vec<Vec<IterMut<T>>> =
         counts.iter().map(|_| Vec::with_capacity(blocks)).collect();
     let mut rest = staged;
     for block in 0..blocks {
         for (chunk, counts) in pieces.iter_mut().zip(counts) {
             let (piece, tail) = rest.split_at_mut(counts[block]);
-            chunk.push(piece);
+            chunk.push(piece.iter_mut());
             rest = tail;
         }
     }

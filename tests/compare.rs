@@ -106,6 +106,8 @@ fn rows_name_the_smoother_that_ran() {
     assert_eq!(smoothers(&[degree]), ["chebyshev-2"]);
     let list = "compare.smoother=[\"gauss-seidel\", \"chebyshev\"]";
     assert_eq!(smoothers(&[degree, list]), ["chebyshev-2", "gauss-seidel"]);
+    let list = "compare.smoother=[\"auto\", \"l1-jacobi\"]";
+    assert_eq!(smoothers(&[list]), ["hybrid-gauss-seidel", "l1-jacobi"]);
 }
 
 #[test]

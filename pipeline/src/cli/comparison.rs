@@ -25,6 +25,8 @@ fn compare(title: &str, solves: &[SolveFigures]) -> String {
         row(title, &|solve| solve.prolongation.clone()),
         row("unknowns", &|solve| short(solve.unknowns)),
         row("levels", &|solve| solve.levels.to_string()),
+        row("cycle", &|solve| solve.method.cycle_and_sweeps()),
+        row("smoother", &|solve| solve.method.smoother_and_degree()),
         row("iterations", &|solve| solve.iterations.to_string()),
         row("mean reduction a cycle", &|solve| format!("{:.4}", solve.mean_reduction)),
         row("nonzeros on all levels", &|solve| short(solve.nonzeros_all_levels)),

@@ -6,7 +6,7 @@ use octruss_mesh::{AffineCorrection, InterfaceRows, Scheme};
 use octruss_solver::Smoother;
 use serde::Deserialize;
 
-use crate::recipe::{Choice, Named, Prolongations, Several, Sweeps};
+use crate::recipe::{Auto, Choice, Named, Prolongations, Several, Sweeps};
 use crate::stages::{CoarseOperator, Solve};
 
 /// How the coarse mesh is refined.
@@ -49,7 +49,7 @@ pub struct Compare {
     /// Smoothing sweeps before and after each coarse correction.
     pub sweeps: Option<Several<Sweeps>>,
     /// What a smoothing sweep is.
-    pub smoother: Option<Several<Named<Smoother>>>,
+    pub smoother: Option<Several<Auto<Smoother>>>,
     /// How often each is set up and solved, for the spread of times; 3 unless given.
     pub repeats: Option<NonZeroU8>,
 }
@@ -90,7 +90,7 @@ impl Compare {
     /// The solves to compare, each with one prolongation.
     pub(super) fn variants(&self, solve: &Solve) -> Vec<Solve> {
         let mut variants = vec![solve.clone()];
-        vary(&mut variants, &self.smoother, |solve, one| solve.smoother.0 = Some(one.0));
+        vary(&mut variants, &self.smoother, |solve, one| solve.smoother = *one);
         vary(&mut variants, &self.sweeps, |solve, one| solve.sweeps = *one);
         let prolongations = self.prolongation.as_ref().unwrap_or(&solve.prolongation);
         vary(&mut variants, &Some(prolongations.clone()), |solve, one| {

@@ -4,8 +4,7 @@ use std::time::Instant;
 
 use octruss_mesh::Hierarchy;
 use octruss_solver::{
-    Csr, CycleShape, Entry, Error, Multigrid, MultigridOptions, Nodal, SolveReport, geometric_mean,
-    noise, reductions,
+    Csr, CycleShape, Entry, Error, Multigrid, Nodal, SolveReport, geometric_mean, noise, reductions,
 };
 use serde::Serialize;
 
@@ -161,7 +160,7 @@ impl<E: Entry<Real = f64>> Level<'_, E> {
             affine_defect_before: worst(|transfer| transfer.affine_defect_before),
             interface_rows: options.interface_rows.0.name(),
             cycle: format!("{}({},{})", shape, cycle.before, cycle.after),
-            smoother: smoother(&cycle),
+            smoother: options.method_figures(&multigrid, None).smoother_and_degree(),
             level: self.hierarchy.refinements.len(),
             unknowns: self.discrete.unknowns(),
             iterations: report.as_ref().map(|report| report.iterations),
@@ -214,15 +213,6 @@ impl<E: Entry<Real = f64>> Level<'_, E> {
 /// thirteen passes over vectors (product 2, scalar product 2, direction 3, advance 6).
 fn iteration_bytes<E: Entry>(matrix: &Csr<E>) -> usize {
     matrix.bytes() + 13 * matrix.rows() * size_of::<E::Nodal>()
-}
-
-fn smoother(cycle: &MultigridOptions) -> String {
-    match cycle.smoother {
-        octruss_solver::Smoother::Chebyshev { degree, .. } => {
-            format!("{}-{degree}", cycle.smoother.name())
-        }
-        other => other.name().into(),
-    }
 }
 
 /// The median, and the least and greatest, if there is any.

@@ -77,6 +77,20 @@ pub struct MethodFigures {
     pub precision: &'static str,
 }
 
+impl MethodFigures {
+    /// The shape of the cycle with its sweeps: `v(1,1)`.
+    pub fn cycle_and_sweeps(&self) -> String {
+        let [before, after] = self.sweeps;
+        format!("{}({before},{after})", self.cycle)
+    }
+
+    /// The smoother with its degree, if it has one: `chebyshev-3`.
+    pub fn smoother_and_degree(&self) -> String {
+        let degree = self.smoothing_degree.map(|degree| format!("-{degree}"));
+        format!("{}{}", self.smoother, degree.unwrap_or_default())
+    }
+}
+
 impl Solve {
     /// The cycle that the keys ask for.
     pub(crate) fn multigrid_options(&self) -> MultigridOptions {
@@ -111,7 +125,7 @@ impl Solve {
     }
 
     /// What `multigrid` is used as, and how its full pass transferred if it had one.
-    pub(super) fn method_figures<E: Entry<Real = f64>>(
+    pub(crate) fn method_figures<E: Entry<Real = f64>>(
         &self,
         multigrid: &Multigrid<E>,
         full_transfer: Option<FullTransfer>,

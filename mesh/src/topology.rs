@@ -70,6 +70,9 @@ impl Topology {
     }
 
     /// The edges whose lower end is a vertex; ascending, as are their higher ends.
+    ///
+    /// # Panics
+    /// If there is no such vertex.
     pub fn edges_from(&self, vertex: usize) -> std::ops::Range<u32> {
         self.first_edges[vertex]..self.first_edges[vertex + 1]
     }

@@ -17,7 +17,8 @@ use crate::raw_mesh::RawMesh;
 pub fn part_of_vertices(raw: &RawMesh) -> Vec<u32> {
     let parents: Vec<AtomicU32> = (0..raw.points.len() as u32).map(AtomicU32::new).collect();
     raw.tets.par_iter().with_min_len(CHUNK).for_each(|&[first, rest @ ..]| {
-        // Once a part has mostly formed its vertices hang on the same.
+        // Vertices that ever hung on the same one are of one part, whatever others have
+        // tied since; once a part has mostly formed, little is left to join.
         let parent = |v: u32| parents[v as usize].load(Relaxed);
         let common = parent(first);
         rest.into_iter().filter(|v| parent(*v) != common).for_each(|v| join(&parents, first, v));

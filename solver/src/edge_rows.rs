@@ -74,6 +74,7 @@ pub(crate) fn edge_rows<E: Entry<Real = f64>>(
         |row, indices, values| {
             let vertex = dofs.free()[row];
             let (mut at, mut own, mut sum) = (0, None, E::default());
+            // A `for` loop would ask each time which of the chained lists it is in.
             neighbours.of(vertex).for_each(|(edge, other)| {
                 let value = coupling(edge, vertex);
                 sum = sum.add_scaled(1.0, value);

@@ -42,8 +42,8 @@ pub(crate) fn largest_eigenvalue<E: Entry>(
     let start = noise(n * E::Nodal::SIZE, 1);
     E::Nodal::flat_mut(&mut current).iter_mut().zip(start).for_each(|(v, s)| *v = round(s));
     for_chunks(&mut current, |first, chunk| {
-        for (v, inverse) in chunk.iter_mut().zip(&inverse_diagonal[first..]) {
-            *v = v.scaled(round(inverse.norm().sqrt()));
+        for (v, diagonal) in chunk.iter_mut().zip(&diagonal[first..]) {
+            *v = v.scaled(round(1.0 / diagonal.norm().sqrt()));
         }
     });
     let weighted = |first: usize, chunk: &[E::Nodal]| weighted_square(chunk, &diagonal[first..]);

@@ -73,6 +73,8 @@ mod tests {
             array.iter_mut().for_each(|v| *v = [1, 2, 3, 4]);
             array.push([5; 4]);
             assert!(array[..len].iter().all(|v| *v == [1, 2, 3, 4]));
+            let mut array: Vec<[std::sync::atomic::AtomicU32; 4]> = zeros(len);
+            assert!(array.len() == len && array.iter_mut().flatten().all(|v| *v.get_mut() == 0));
         }
     }
 }

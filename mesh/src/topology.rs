@@ -9,6 +9,8 @@ pub use edge_faces::EdgeFaces;
 pub use edge_tets::EdgeTets;
 pub use vertex_edges::VertexEdges;
 
+use crate::groups::Groups;
+
 /// Stands for "no tet" in [`Topology::face_tets`].
 pub const NONE: u32 = u32::MAX;
 
@@ -75,6 +77,15 @@ impl Topology {
     /// If there is no such vertex.
     pub fn edges_from(&self, vertex: usize) -> std::ops::Range<u32> {
         self.first_edges[vertex]..self.first_edges[vertex + 1]
+    }
+
+    /// The edges by their higher end, ascending, as are their lower ends.
+    ///
+    /// Edges are sorted by their lower end: those that end in a vertex come before those
+    /// of [`Self::edges_from`].
+    pub fn edges_to(&self) -> Groups<u32> {
+        let edges = &self.edges;
+        Groups::new(self.vertex_count(), edges.len(), |e| [(edges[e][1], e as u32)])
     }
 
     /// The number of the edge between two vertices, if there is one.

@@ -54,7 +54,7 @@ pub fn assemble(mesh: &TetMesh, topology: &Topology, problem: &Poisson) -> Resul
     problem.source.check(mesh)?;
     let dofs = Dofs::new(mesh, &problem.fixed)?;
 
-    let (mut couplings, mut load) = sums(mesh, topology, problem)?;
+    let (mut couplings, mut load) = couplings_and_load(mesh, topology, problem)?;
     let row_sums = add_robin(mesh, topology, &problem.robin, &mut couplings)?;
     dofs.check_anchored(mesh, |vertex| row_sums.get(vertex).is_some_and(|[sum]| *sum > 0.0))?;
     let neighbours = Neighbours::new(topology);
@@ -83,7 +83,7 @@ pub(crate) fn whole_stiffness(
 ) -> Result<(Csr<f64>, Dofs), Error> {
     check_size("tets of the topology", topology.tet_edges().len(), mesh.tets().len())?;
     let dofs = Dofs::new(mesh, &[])?;
-    let (couplings, _) = sums(mesh, topology, &Poisson::default())?;
+    let (couplings, _) = couplings_and_load(mesh, topology, &Poisson::default())?;
     let matrix = edge_rows(
         &dofs,
         &Neighbours::new(topology),
@@ -95,21 +95,21 @@ pub(crate) fn whole_stiffness(
 }
 
 /// ∫ k ∇φa · ∇φb for each edge ab, and ∫ f φ for each vertex.
-fn sums(
+fn couplings_and_load(
     mesh: &TetMesh,
     topology: &Topology,
     problem: &Poisson,
 ) -> Result<(Sums<1>, Vec<[f64; 1]>), Error> {
     let first_bad = AtomicUsize::new(usize::MAX);
-    let couplings = |tet: usize| couplings(mesh, problem, tet, &first_bad);
+    let of_tet = |tet: usize| tet_couplings(mesh, problem, tet, &first_bad);
     let edges = Scatter::new(topology.tet_edges(), topology.edges().len());
     let vertices = mesh.points().len();
     let sums = match source_load(mesh, problem) {
-        None => (edges.sum(couplings), vec![[0.0]; vertices]),
+        None => (edges.sum(of_tet), vec![[0.0]; vertices]),
         Some(load) => {
             // One pass, since both have to read the corners.
             let at_vertices = Scatter::new(mesh.tets(), vertices);
-            let both = |tet: usize| (couplings(tet), load(tet));
+            let both = |tet: usize| (of_tet(tet), load(tet));
             let (couplings, load) = edges.sum_beside(&at_vertices, both);
             (couplings, load.in_order())
         }
@@ -124,9 +124,10 @@ fn sums(
     }
 }
 
-/// ∫ k ∇φa · ∇φb for the edges of a tet; notes the first tet where k is none.
+/// ∫ k ∇φa · ∇φb for the edges of a tet; notes the first one where k is not positive
+/// and finite.
 #[inline]
-fn couplings(
+fn tet_couplings(
     mesh: &TetMesh,
     problem: &Poisson,
     tet: usize,

@@ -63,8 +63,7 @@ pub fn assemble_elasticity(
     let springs = spring_directions(mesh, topology, problem)?;
     check_rigid_modes(mesh, &constraints, &springs)?;
 
-    let scatter = Scatter::new(topology.tet_edges(), topology.edges().len());
-    let mut couplings = edge_couplings(mesh, &scatter, problem)?;
+    let mut couplings = edge_couplings(mesh, topology, problem)?;
     let row_sums = add_springs(mesh, topology, problem, &mut couplings)?;
     let load = load_vector(mesh, topology, problem)?;
     let neighbours = Neighbours::new(topology);
@@ -90,11 +89,12 @@ pub(crate) fn lame(material: &Material, centroid: Vector3) -> [f64; 2] {
 /// The block (a, b) of each edge a < b, row by row.
 fn edge_couplings(
     mesh: &TetMesh,
-    scatter: &Scatter<6>,
+    topology: &Topology,
     problem: &Elasticity,
 ) -> Result<Sums<9>, Error> {
     problem.material.check(mesh)?;
     let first_bad = AtomicUsize::new(usize::MAX);
+    let scatter = Scatter::new(topology.tet_edges(), topology.edges().len());
     let couplings = scatter.sum(|tet| {
         let (corners, vertices) = (mesh.corners(tet), mesh.tets()[tet]);
         let material = problem.material.of(mesh.regions()[tet]);

@@ -15,7 +15,7 @@ use crate::csr::Csr;
 use crate::dofs::Dofs;
 use crate::error::{Error, check_finite};
 use crate::multiply::multiply;
-use crate::poisson_load::{check_load, load_vector};
+use crate::poisson_load::{check_load, source_vector};
 use crate::problem::Poisson;
 use crate::rows::build_rows;
 use crate::scalar::Scalar;
@@ -48,13 +48,13 @@ pub fn assemble_biharmonic(
     // Rows over the root of the mass: products of both orders then round alike.
     // The lumped mass of a vertex is what a source of 1 loads it with.
     let one = Poisson { source: 1.0.into(), ..Poisson::default() };
-    let mass = load_vector(mesh, topology, &one)?;
+    let mass = source_vector(mesh, &one)?;
     let roots: Vec<f64> = mass.iter().map(|volume| volume.sqrt()).collect();
     let scaled = |row: u32| 1.0 / roots[all.free()[row as usize] as usize];
     let rows = free_rows(&stiffness, &all, &dofs, scaled);
     let matrix = multiply(&rows, &transpose(&rows));
     let as_poisson = Poisson { source: problem.source.clone(), ..Poisson::default() };
-    let load = load_vector(mesh, topology, &as_poisson)?;
+    let load = source_vector(mesh, &as_poisson)?;
     let mut rhs: Vec<f64> = dofs.free().iter().map(|&vertex| load[vertex as usize]).collect();
     if !dofs.is_homogeneous() {
         let mut image: Vec<f64> = vec![0.0; all.unknowns()];

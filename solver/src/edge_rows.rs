@@ -16,9 +16,7 @@ pub(crate) struct Neighbours<'a> {
 
 impl<'a> Neighbours<'a> {
     pub(crate) fn new(topology: &'a Topology) -> Self {
-        let edges = topology.edges();
-        let end = |edge: usize| [(edges[edge][1], edge as u32)];
-        Self { topology, ending: Groups::new(topology.vertex_count(), edges.len(), end) }
+        Self { topology, ending: topology.edges_to() }
     }
 
     /// How many edges a vertex has.
@@ -32,8 +30,6 @@ impl<'a> Neighbours<'a> {
     pub(crate) fn of(&self, vertex: u32) -> impl Iterator<Item = (u32, u32)> {
         let (vertex, edges) = (vertex as usize, self.topology.edges());
         let ending = self.ending.of(vertex).iter().map(move |&e| (e, edges[e as usize][0]));
-        // Edges are sorted by their lower end: those that end in a vertex come
-        // before those that begin there.
         let from = self.topology.edges_from(vertex).map(move |e| (e, edges[e as usize][1]));
         ending.chain(from)
     }

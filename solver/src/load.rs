@@ -13,6 +13,7 @@ pub(crate) fn tet_load<const K: usize>(
     is_constant: bool,
     f: impl Fn([f64; 3]) -> [f64; K],
 ) -> [[f64; K]; 4] {
+    // As the stiffness has it, so that one pass for both need not compute it twice.
     let volume = scaled_gradients(corners).0 / 6.0;
     if is_constant {
         return [f(corners[0]).map(|value| 0.25 * volume * value); 4];

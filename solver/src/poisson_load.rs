@@ -12,19 +12,12 @@ use octruss_mesh::{TetMesh, Topology};
 use std::cell::Cell;
 use std::slice::from_ref;
 
-/// ∫ f φ + ∫ g φ + ∫ c u₀ φ over body and surfaces, for each vertex.
-pub(crate) fn load_vector(
-    mesh: &TetMesh,
-    topology: &Topology,
-    problem: &Poisson,
-) -> Result<Vec<f64>, Error> {
+/// ∫ f φ for each vertex.
+pub(crate) fn source_vector(mesh: &TetMesh, problem: &Poisson) -> Result<Vec<f64>, Error> {
     problem.source.check(mesh)?;
-    let mut load = source_load(mesh, problem).map_or_else(
-        || vec![[0.0]; mesh.points().len()],
-        |load| Scatter::new(mesh.tets(), mesh.points().len()).sum(load).in_order(),
-    );
-    add_surface_load(mesh, topology, problem, &mut load)?;
-    Ok(load.into_flattened())
+    let vertices = mesh.points().len();
+    let Some(load) = source_load(mesh, problem) else { return Ok(vec![0.0; vertices]) };
+    Ok(Scatter::new(mesh.tets(), vertices).sum(load).in_order().into_flattened())
 }
 
 /// ∫ f φ over a tet for its corners, unless f is 0.

@@ -42,7 +42,7 @@ impl<const K: usize> Sums<K> {
         std::array::from_fn(|k| f64::from_bits(bits[k].load(Relaxed)))
     }
 
-    /// Adds to the sum at a target. Whoever adds to the same at once is lost.
+    /// Adds to the sum at a target. Of two additions to one target at once, one may be lost.
     #[inline]
     fn add(&self, target: u32, value: &[f64; K]) {
         let first = K * target as usize;
@@ -52,13 +52,13 @@ impl<const K: usize> Sums<K> {
         }
     }
 
-    /// Adds to the sum at a target.
+    /// Adds to the sum at a target; nobody else can meanwhile.
     pub(crate) fn add_to(&mut self, target: u32, value: [f64; K]) {
         self.add(target, &value);
     }
 
     /// Adds what chunks found for targets of others, owner by owner.
-    fn with(self, foreign: Vec<Foreign<K>>) -> Self {
+    fn plus(self, foreign: Vec<Foreign<K>>) -> Self {
         (0..CHUNKS).into_par_iter().for_each(|owner| {
             for (target, value) in foreign.iter().flat_map(|lists| &lists[owner]) {
                 self.add(*target, value);
@@ -109,7 +109,7 @@ impl<'a, const N: usize> Scatter<'a, N> {
             adding.foreign
         });
         let foreign = chunks.collect();
-        sums.with(foreign)
+        sums.plus(foreign)
     }
 
     /// The sums at the targets of the same elements here and in `other`, in one pass.
@@ -131,7 +131,7 @@ impl<'a, const N: usize> Scatter<'a, N> {
             (adding.foreign, beside.foreign)
         });
         let (foreign, other_foreign) = chunks.unzip();
-        (sums.with(foreign), others.with(other_foreign))
+        (sums.plus(foreign), others.plus(other_foreign))
     }
 
     /// The chunks with their elements.
@@ -191,9 +191,8 @@ mod tests {
         let mut slow = vec![[0.0; 2]; targets];
         for (k, targets) in elements.iter().enumerate() {
             for (target, value) in targets.iter().zip(value(k)) {
-                for k in 0..2 {
-                    slow[*target as usize][k] += value[k];
-                }
+                let sums = slow[*target as usize].iter_mut();
+                sums.zip(value).for_each(|(sum, value): (&mut f64, f64)| *sum += value);
             }
         }
         for threads in [1, 2, 3] {
@@ -205,6 +204,8 @@ mod tests {
             assert!((0..targets).all(|t| sums.at(t as u32) == slow[t]));
             // Fractions: the same bits.
             let third = |k: usize| value(k).map(|v| v.map(|v| v / 3.0));
+            let bits = pool.install(|| scatter.sum(third).in_order());
+            assert_eq!(bits, Scatter::new(&elements, targets).sum(third).in_order());
             // Beside other targets nothing changes.
             let firsts: Vec<[u32; 1]> = elements.iter().map(|[first, ..]| [*first]).collect();
             let at_firsts = Scatter::new(&firsts, targets);
@@ -213,8 +214,8 @@ mod tests {
             assert_eq!(sums.in_order(), scatter.sum(third).in_order());
             let alone = at_firsts.sum(|k| [third(k)[0]]);
             assert_eq!(at_firsts_too.in_order(), alone.in_order());
-            let bits = pool.install(|| scatter.sum(third).in_order());
-            assert_eq!(bits, Scatter::new(&elements, targets).sum(third).in_order());
         }
+        let nothing = Scatter::<3>::new(&[], 2).sum(|_| [[1.0]; 3]);
+        assert_eq!(nothing.in_order(), [[0.0]; 2]);
     }
 }

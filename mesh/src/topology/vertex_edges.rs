@@ -4,7 +4,6 @@ use rayon::prelude::*;
 
 use super::Topology;
 use crate::chunks::{self, CHUNK};
-use crate::groups::Groups;
 use crate::large_array::zeroed;
 
 /// The edges at each vertex, ascending.
@@ -21,10 +20,7 @@ impl VertexEdges {
     /// Lists the edges at every vertex.
     pub fn new(topology: &Topology) -> Self {
         let (edges, from) = (&topology.edges, &topology.first_edges);
-        // Edges are sorted by their lower end: those that end in a vertex come
-        // before those that begin there.
-        let ending =
-            Groups::new(topology.vertex_count(), edges.len(), |e| [(edges[e][1], e as u32)]);
+        let ending = topology.edges_to();
         let offsets: Vec<u32> = from.iter().zip(ending.offsets()).map(|(a, b)| a + b).collect();
         let mut lists = zeroed(2 * edges.len());
         chunks::for_each(&offsets, &mut lists[..], |first, last, lists| {

@@ -7,11 +7,9 @@
 //! u = R² − r². The scheme keeps no sharp edge here and shrinks the ball a
 //! little, so R is taken from the refined volume.
 
+use octruss_fem::{Poisson, assemble, restrict_to_free};
 use octruss_mesh::{CheckOptions, FeatureOptions, Hierarchy, Scheme, check};
-use octruss_solver::{
-    Multigrid, MultigridOptions, Poisson, SolveOptions, assemble, conjugate_gradients,
-    restrict_to_free,
-};
+use octruss_solver::{Multigrid, MultigridOptions, SolveOptions, conjugate_gradients};
 
 /// The whole chain in five steps.
 pub fn main() -> Result<(), Box<dyn std::error::Error>> {

@@ -5,12 +5,12 @@
 //! The same as `configs/bracket-elasticity.toml` does, in the library's own words,
 //! with one material and one load.
 
-use octruss_mesh::{CheckOptions, FeatureOptions, Hierarchy, Scheme, check};
-use octruss_solver::{
-    Constraints, Elasticity, Forces, Held, Material, Multigrid, MultigridOptions, Smoother,
-    SolveOptions, Support, assemble_elasticity, conjugate_gradients, restrict_to_free, strains,
-    stresses, von_mises,
+use octruss_fem::{
+    Constraints, Elasticity, Forces, Held, Material, Support, assemble_elasticity,
+    restrict_to_free, strains, stresses, von_mises,
 };
+use octruss_mesh::{CheckOptions, FeatureOptions, Hierarchy, Scheme, check};
+use octruss_solver::{Multigrid, MultigridOptions, Smoother, SolveOptions, conjugate_gradients};
 
 /// The whole chain in five steps.
 pub fn main() -> Result<(), Box<dyn std::error::Error>> {

@@ -4,14 +4,17 @@
 use std::f64::consts::PI;
 use std::path::Path;
 
+use octruss_fem::{
+    LevelUnknowns, Poisson, Scalar, System, assemble, h1_seminorm_error, l2_error,
+    restrict_to_free, smooth_lift,
+};
 use octruss_mesh::{
     CheckOptions, FeatureOptions, Hierarchy, Scheme, SubdivisionMatrix, TetMesh, check,
     quadratic_matrix, shapes, subdivision_matrix,
 };
 use octruss_solver::{
-    Csr, LevelUnknowns, Multigrid, MultigridOptions, Poisson, Scalar, SolveOptions, System,
-    assemble, conjugate_gradients, h1_seminorm_error, kernels, l2_error, mean_reduction, noise,
-    restrict_to_free, smooth_lift,
+    Csr, Multigrid, MultigridOptions, SolveOptions, conjugate_gradients, kernels, mean_reduction,
+    noise,
 };
 
 /// A solution with its gradient and the source −Δu that belongs to it.
@@ -42,7 +45,7 @@ impl Manufactured {
     fn problem(&self, mesh: &TetMesh) -> Poisson {
         let all = mesh.triangles().ids();
         Poisson {
-            source: octruss_solver::ByRegion {
+            source: octruss_fem::ByRegion {
                 default: Scalar::function(self.source),
                 regions: Vec::new(),
             },

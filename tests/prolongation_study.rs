@@ -3,14 +3,17 @@
 
 use std::path::Path;
 
+use octruss_fem::{
+    ByRegion, Constraints, Dofs, Elasticity, Held, Material, Poisson, Scalar, Support, assemble,
+    assemble_elasticity, restrict_to_free, vector,
+};
 use octruss_mesh::{
     AffineCorrection, CheckOptions, FeatureOptions, Hierarchy, InterfaceRows, ProlongationOptions,
     Scheme, Step, TetMesh, check, guard::usual_floor, shapes,
 };
 use octruss_solver::{
-    ByRegion, Constraints, Csr, DiagonalKind, Dofs, Elasticity, Entry, Held, Material, Multigrid,
-    MultigridOptions, Nodal, Poisson, Precision, Scalar, Smoother, SolveOptions, Support, Transfer,
-    assemble, assemble_elasticity, conjugate_gradients, noise, restrict_to_free, vector,
+    Csr, DiagonalKind, Entry, Multigrid, MultigridOptions, Nodal, Precision, Smoother,
+    SolveOptions, Transfer, conjugate_gradients, noise,
 };
 
 /// V(1,1) with Gauss–Seidel, by blocks where there are blocks, in double precision.

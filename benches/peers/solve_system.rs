@@ -60,6 +60,6 @@ fn solve_entries<E: Entry<Real = f64>>(
         "setup_peak_bytes": after_setup - before,
         "matrix_bytes": matrix.bytes(),
         "level_bytes": multigrid.bytes(),
-        "copy_bytes_per_second": multigrid.account(COPIES).copy_bandwidth,
+        "copy_bytes_per_second": multigrid.traffic(COPIES).copy_bandwidth,
     }))
 }

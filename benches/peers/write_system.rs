@@ -3,15 +3,16 @@
 use crate::arrays;
 use crate::system_files::{Description, Prolongation, array, write_matrix};
 use anyhow::{Context, Result, bail};
+use octruss_fem::{
+    Constraints, Dofs, Elasticity, Held, Material, Poisson, Support, assemble, assemble_elasticity,
+    restrict_to_free, vector,
+};
 use octruss_mesh::shapes::kuhn_cube;
 use octruss_mesh::{
     CheckOptions, FeatureOptions, Hierarchy, Scheme, SubdivisionMatrix, TetMesh, check, prepare,
     sort_along_curve,
 };
-use octruss_solver::{
-    Constraints, Csr, Dofs, Elasticity, Entry, Held, Material, Nodal, Poisson, Support, assemble,
-    assemble_elasticity, restrict_to_free, vector,
-};
+use octruss_solver::{Csr, Entry, Nodal};
 use std::borrow::Cow;
 use std::fs;
 use std::path::Path;

@@ -8,11 +8,11 @@ pub use extra::{ExtraFeatures, FeatureError};
 pub use found::find_features;
 pub use reasons::{FeatureReasons, Reason};
 
+use crate::core::raw_mesh::Features;
+use crate::core::tet_mesh::TetMesh;
+use crate::core::topology::Topology;
 use crate::marking::{Marking, mark};
-use crate::quality::smallest_mean_ratio;
-use crate::raw_mesh::Features;
-use crate::tet_mesh::TetMesh;
-use crate::topology::Topology;
+use crate::soundness::quality::smallest_mean_ratio;
 
 /// How a coarsest mesh is readied: its marking, and where its creases and
 /// corners come from.

@@ -2,13 +2,13 @@
 
 use rayon::prelude::*;
 
-use crate::chunks::CHUNK;
+use crate::core::tet_mesh::TetMesh;
+use crate::core::topology::Topology;
 use crate::features::{FeatureOptions, prepare};
-use crate::step::Step;
-use crate::subdivide::{Refinement, SubdivideError, subdivide};
-use crate::subdivision_matrix::SubdivisionMatrix;
-use crate::tet_mesh::TetMesh;
-use crate::topology::Topology;
+use crate::refinement::subdivision_matrix::SubdivisionMatrix;
+use crate::subdivide::refine::{Refinement, SubdivideError, subdivide};
+use crate::subdivide::step::Step;
+use octruss_base::ragged::CHUNK;
 
 /// Meshes from coarse to fine, their topologies, and the refinement between
 /// neighbours: refinement l leads from mesh l to mesh l + 1.

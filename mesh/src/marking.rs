@@ -24,9 +24,9 @@ use diagonals::ranks;
 pub(crate) use diagonals::shortest_pairs;
 pub use report::{MarkingReport, marking_report};
 
-use crate::raw_mesh::RawMesh;
-use crate::reference_tet::MARKING_PERMUTATIONS;
-use crate::topology::Topology;
+use crate::core::raw_mesh::RawMesh;
+use crate::core::reference_tet::MARKING_PERMUTATIONS;
+use crate::core::topology::Topology;
 
 /// How the marked pairs of the initial tets are chosen.
 ///

@@ -2,8 +2,8 @@
 
 use std::path::PathBuf;
 
+use octruss_mesh::CheckError;
 use octruss_mesh::SubdivideError;
-use octruss_mesh::check::CheckError;
 
 use crate::recipe::ConfigError;
 use crate::report::Unfinished;
@@ -42,7 +42,7 @@ pub enum Error {
         /// What was being done, such as `linear prolongation`.
         what: String,
         /// What stopped it.
-        source: octruss_solver::Error,
+        source: octruss_fem::Error,
     },
     /// A solve did not reach its goal; its best iterate is kept.
     #[error(transparent)]

@@ -16,7 +16,7 @@ mod tokens;
 use std::fmt;
 use std::sync::Arc;
 
-use octruss_solver::Scalar;
+use octruss_fem::Scalar;
 
 use code::Op;
 

@@ -1,11 +1,11 @@
 //! Everything that can go wrong in this crate.
 
-use crate::chunks::map_ranges;
 use crate::report::Unfinished;
-use crate::rigid_modes::RigidMode;
+use octruss_base::chunks::map_ranges;
 
-/// Why a problem could not be assembled or a system not be solved.
+/// Why a system could not be set up or solved.
 #[derive(Debug, thiserror::Error)]
+#[non_exhaustive]
 pub enum Error {
     /// The three arrays do not form a sparse matrix.
     #[error("malformed sparse matrix, row {row}: {what}")]
@@ -38,117 +38,6 @@ pub enum Error {
         option: &'static str,
         /// What it must satisfy.
         expected: &'static str,
-    },
-    /// Boundary data name a surface without triangles.
-    #[error("no triangle belongs to surface {id}; surfaces of this mesh: {known:?}")]
-    UnknownSurface {
-        /// The id asked for.
-        id: i32,
-        /// The ids in use, ascending.
-        known: Vec<i32>,
-    },
-    /// Boundary data are given on triangles that are no faces of tets.
-    #[error(
-        "{detached} triangles of surface {id} are no faces of tets, so what is given there is \
-         lost; give it on a surface of the body"
-    )]
-    DetachedSurface {
-        /// The surface.
-        id: i32,
-        /// How many of its triangles stand free.
-        detached: usize,
-    },
-    /// Something that needs an outward normal is given on a surface inside the body.
-    #[error(
-        "{inner} triangles of surface {id} have tets on both sides, so there is no outward \
-         normal; give components, or a surface of the boundary"
-    )]
-    InnerSurface {
-        /// The surface.
-        id: i32,
-        /// How many of its triangles are inside.
-        inner: usize,
-    },
-    /// A coefficient or source names a region without tets.
-    #[error("no tet belongs to region {id}; regions of this mesh: {known:?}")]
-    UnknownRegion {
-        /// The id asked for.
-        id: i32,
-        /// The ids in use, ascending.
-        known: Vec<i32>,
-    },
-    /// A coefficient of a tet is out of its range, infinite or not a number.
-    #[error("the {what} of region {region} is {told} (tet {tet}); it must be {expected}")]
-    Coefficient {
-        /// Which coefficient.
-        what: &'static str,
-        /// The smallest tet number at fault.
-        tet: usize,
-        /// Its region.
-        region: i32,
-        /// What was found: the value, with expression and position if it has them.
-        told: String,
-        /// What it must be.
-        expected: &'static str,
-    },
-    /// A coefficient of a surface is out of its range, infinite or not a number.
-    #[error("the {what} of surface {surface} is {told}; it must be {expected}")]
-    SurfaceCoefficient {
-        /// Which coefficient.
-        what: &'static str,
-        /// The surface.
-        surface: i32,
-        /// What was found: the value, with expression and position if it has them.
-        told: String,
-        /// What it must be.
-        expected: &'static str,
-    },
-    /// A source or load is infinite or not a number somewhere.
-    #[error("the {what} of {place} is {told}; it must be finite everywhere")]
-    Load {
-        /// Which load.
-        what: &'static str,
-        /// The region or surface.
-        place: String,
-        /// What was found: the value, with expression and position if it has them.
-        told: String,
-    },
-    /// A prescribed boundary value is infinite or not a number.
-    #[error("the value of surface {surface} at vertex {vertex} is {told}; it must be finite")]
-    BoundaryValue {
-        /// The surface that prescribes it.
-        surface: i32,
-        /// The first vertex at fault.
-        vertex: u32,
-        /// What was found: the value, with expression and position if it has them.
-        told: String,
-    },
-    /// A part of the mesh has no vertex with a prescribed value, so that the
-    /// solution there is determined up to a constant only.
-    #[error(
-        "nothing is fixed on a connected part of the mesh with {vertices} vertices, among them \
-         vertex {example}; prescribe a value on one of its surfaces"
-    )]
-    NothingFixed {
-        /// The size of the part.
-        vertices: usize,
-        /// Its smallest vertex number.
-        example: u32,
-    },
-    /// A part of an elastic body can move without deforming.
-    #[error(
-        "a connected part of the mesh with {vertices} vertices, among them vertex {example}, can \
-         still move as a rigid body: {}; hold more of it, with `fixed` or `springs`, or with \
-         planes of symmetry where loads are symmetric",
-        list(.modes)
-    )]
-    RigidModes {
-        /// The size of the part.
-        vertices: usize,
-        /// Its smallest vertex number.
-        example: u32,
-        /// The independent motions that remain, at most six.
-        modes: Vec<RigidMode>,
     },
     /// A matrix or vector holds an infinity or a NaN.
     #[error("{what}, entry {index} is {value}; all numbers must be finite")]
@@ -253,12 +142,11 @@ impl Error {
     }
 }
 
-fn list(modes: &[RigidMode]) -> String {
-    modes.iter().map(RigidMode::to_string).collect::<Vec<_>>().join(", ")
-}
-
-/// Checks that all of `values` are finite.
-pub(crate) fn check_finite(what: &'static str, values: &[f64]) -> Result<(), Error> {
+/// Checks that all of `values` are finite; `what` says which numbers these are.
+///
+/// # Errors
+/// [`Error::NotFinite`] with the first that is not.
+pub fn check_finite(what: &'static str, values: &[f64]) -> Result<(), Error> {
     let first_bad = |range: std::ops::Range<usize>| {
         let start = range.start;
         values[range].iter().position(|v| !v.is_finite()).map(|at| start + at)
@@ -269,7 +157,10 @@ pub(crate) fn check_finite(what: &'static str, values: &[f64]) -> Result<(), Err
     }
 }
 
-/// Checks that a size is the one that fits.
-pub(crate) fn check_size(what: &'static str, found: usize, expected: usize) -> Result<(), Error> {
+/// Checks that a size is the one that fits; `what` says of what.
+///
+/// # Errors
+/// [`Error::Size`] if it is not.
+pub fn check_size(what: &'static str, found: usize, expected: usize) -> Result<(), Error> {
     if found == expected { Ok(()) } else { Err(Error::Size { what, found, expected }) }
 }

@@ -1,146 +1,62 @@
-//! From a mesh hierarchy to a solved system: P1 finite elements and geometric
-//! multigrid.
+//! Sparse matrices, Krylov methods and geometric multigrid: algebra alone, no mesh.
 //!
 //! ```text
-//! TetMesh, Poisson ──assemble──▶ System ─┐          (Elasticity ──assemble_elasticity──▶ VectorSystem)
-//! SubdivisionMatrix ──restrict_to_free──▶│──Multigrid──▶ conjugate_gradients ──▶ solution, SolveReport
+//! matrix, prolongations ──Multigrid──▶ conjugate_gradients ──▶ solution, SolveReport
 //! ```
 //!
-//! [`Multigrid`] knows matrices only, no mesh. Matrices are [`Csr`]: `u32`
-//! columns, entries that are numbers or 3 × 3 blocks, double precision outside, single precision inside the cycle; all
-//! loops are parallel over fixed chunks of rows, so results have the same bits
-//! for any number of threads. Errors are values ([`Error`]) and carry what was
-//! reached.
+//! Matrices are [`Csr`]: `u32` columns, entries that are numbers or 3 × 3 blocks, double
+//! precision outside, single precision inside the cycle; all loops are parallel over
+//! fixed chunks of rows, so results have the same bits for any number of threads. Errors
+//! are values ([`Error`]) and carry what was reached.
 //!
 //! ```
-//! use octruss_mesh::{Topology, linear_matrix, shapes::kuhn_cube};
 //! use octruss_solver::*;
 //!
-//! let mesh = kuhn_cube(8);
-//! let problem = Poisson {
-//!     source: 1.0.into(),
-//!     fixed: (1..=6).map(|side| (side, 0.0.into())).collect(),
-//!     ..Poisson::default()
-//! };
-//! let system = assemble(&mesh, &Topology::new(mesh.raw()), &problem)?;
-//! let mut multigrid = Multigrid::new(&system.matrix, vec![], &MultigridOptions::default())?;
+//! // −u″ = 1 on 7 points between two fixed ends, and the 3 in between as coarse level.
+//! let row = |i: u32| (i.saturating_sub(1)..7.min(i + 2)).map(move |j| (i, j));
+//! let entries: Vec<(u32, u32)> = (0..7).flat_map(row).collect();
+//! let offsets = (0..=7).map(|i| entries.partition_point(|e| e.0 < i)).collect();
+//! let values = entries.iter().map(|(i, j)| if i == j { 2.0 } else { -1.0 }).collect();
+//! let matrix = Csr::new(7, offsets, entries.iter().map(|e| e.1).collect(), values)?;
+//! let (columns, weights) = (vec![0, 0, 0, 1, 1, 1, 2, 2, 2], [0.5, 1.0, 0.5].repeat(3));
+//! let prolongation = Csr::new(3, vec![0, 1, 2, 4, 5, 7, 8, 9], columns, weights)?;
+//!
+//! let mut multigrid = Multigrid::new(&matrix, vec![prolongation], &Default::default())?;
+//! let rhs = vec![1.0 / 64.0; 7];
 //! let (x, report) =
-//!     conjugate_gradients(&system.matrix, &system.rhs, &mut multigrid, &SolveOptions::default())?;
+//!     conjugate_gradients(&matrix, &rhs, &mut multigrid, &SolveOptions::default())?;
 //! assert!(report.relative_residual <= 1e-8);
-//! // The middle of a unit cube with unit source is at 0.0562; this mesh is coarse.
-//! let middle = system.expand(&x)?.into_iter().fold(0.0, f64::max);
-//! assert!((middle - 0.0562).abs() < 0.003);
-//! # Ok::<(), octruss_solver::Error>(())
+//! assert!((x[3] - 0.125).abs() < 1e-8);
+//! # Ok::<(), Error>(())
 //! ```
 
-mod account;
-mod accumulator;
-mod ancestors;
-mod assemble;
-mod assemble_elasticity;
-mod biharmonic;
-mod blame;
-mod blocks;
-mod by_region;
-mod cg;
-mod chebyshev;
-mod chunks;
-mod coarse;
-mod colouring;
-mod constraints;
-mod csr;
-mod cycle;
-mod diagonal;
-mod dofs;
-mod domain_rows;
-mod domains;
-mod dot;
-mod edge_rows;
-mod elasticity;
-mod elasticity_load;
-mod element;
-mod entry;
 mod error;
-mod forces;
-mod foundation;
-mod galerkin;
-mod gauss_seidel;
-mod held_vertex;
-mod hybrid_gauss_seidel;
-pub mod kernels;
-mod known;
-mod level;
-mod lift;
-mod load;
-mod matrix3;
+mod krylov;
 mod multigrid;
-mod multiply;
-mod norms;
-mod options;
-mod pattern;
-mod poisson_load;
-mod preconditioner;
-mod problem;
-mod projectors;
-pub mod quadrature;
-mod random;
-mod real;
-mod recovery;
 mod report;
-mod rigid_modes;
-mod row_smoothing;
-mod rows;
-mod run;
-mod scalar;
-mod scatter;
-mod smoothed;
-mod smoothing;
-mod spectrum;
-mod stationary;
-mod stress;
-mod summary;
-mod surface;
-mod symmetric;
+mod sparse;
 #[cfg(test)]
 mod toy;
-mod transfer;
-mod transpose;
-mod two_parents;
-mod weights;
-mod workspaces;
 
-pub use account::{Account, KernelTraffic};
-pub use assemble::{System, assemble};
-pub use assemble_elasticity::{VectorSystem, assemble_elasticity};
-pub use biharmonic::{Biharmonic, assemble_biharmonic};
-pub use by_region::ByRegion;
-pub use cg::conjugate_gradients;
-pub use constraints::Constraints;
-pub use csr::Csr;
-pub use dofs::Dofs;
-pub use dot::{dot, norm};
-pub use elasticity::{Elasticity, Held, Material, Stiffness, Support, Vector, vector};
-pub use entry::{Acts, Entry, Nodal};
-pub use error::Error;
-pub use forces::Forces;
-pub use galerkin::galerkin;
-pub use held_vertex::HeldVertex;
-pub use lift::{LevelUnknowns, smooth_lift};
-pub use multigrid::Multigrid;
-pub use multiply::multiply;
-pub use norms::{h1_seminorm_error, l2_error};
-pub use options::{CycleShape, DiagonalKind, MultigridOptions, Precision, Smoother};
-pub use preconditioner::{Identity, Preconditioner};
-pub use problem::{Poisson, Robin};
-pub use random::noise;
-pub use real::Real;
-pub use recovery::Recovery;
+pub use error::{Error, check_finite, check_size};
+pub use krylov::cg::conjugate_gradients;
+pub use krylov::iteration::{EachIteration, SolveOptions};
+pub use krylov::preconditioner::{Identity, Preconditioner};
+pub use krylov::stationary::{geometric_mean, mean_reduction, reductions, stationary_iteration};
+pub use multigrid::galerkin::galerkin;
+pub use multigrid::options::{CycleShape, DiagonalKind, MultigridOptions, Precision, Smoother};
+pub use multigrid::projectors::project;
+pub use multigrid::setup::Multigrid;
+pub use multigrid::summary::LevelSummary;
+pub use multigrid::traffic::{KernelTraffic, Traffic};
+pub use multigrid::transfer::Transfer;
 pub use report::{SolveReport, Unfinished};
-pub use rigid_modes::RigidMode;
-pub use run::{Progress, SolveOptions};
-pub use scalar::{Function, Scalar};
-pub use stationary::{geometric_mean, mean_reduction, reductions, stationary_iteration};
-pub use stress::{strains, stresses, von_mises};
-pub use summary::LevelSummary;
-pub use transfer::{Transfer, restrict_to_free};
-pub use transpose::transpose;
+pub use sparse::csr::Csr;
+pub use sparse::dot::{dot, norm};
+pub use sparse::entry::{Acts, Entry, Nodal};
+pub use sparse::kernels;
+pub use sparse::multiply::multiply;
+pub use sparse::noise::noise;
+pub use sparse::real::Real;
+pub use sparse::rows::build_rows;
+pub use sparse::transpose::transpose;

@@ -1,6 +1,6 @@
 //! One-dimensional matrices with known answers, for tests.
 
-use crate::csr::Csr;
+use crate::sparse::csr::Csr;
 
 /// The n × n matrix (−1, 2, −1).
 pub(crate) fn second_difference(n: usize) -> Csr<f64> {

@@ -2,8 +2,8 @@
 
 use super::AnalysisError;
 use super::tet_grid::TetGrid;
+use crate::core::tet_mesh::TetMesh;
 use crate::hierarchy::Hierarchy;
-use crate::tet_mesh::TetMesh;
 
 /// Points this far outside a tet, in barycentric coordinates, still count as in it.
 const ROUNDING: f64 = 1e-9;

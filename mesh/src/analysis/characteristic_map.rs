@@ -3,10 +3,10 @@
 use super::refined_star::RefinedStar;
 use super::tet_grid::TetGrid;
 use super::{AnalysisError, LocalMatrix, eigenvectors};
-use crate::raw_mesh::RawMesh;
-use crate::reference_tet::six_volumes;
-use crate::scheme::Scheme;
-use crate::tet_mesh::TetMesh;
+use crate::core::raw_mesh::RawMesh;
+use crate::core::reference_tet::six_volumes;
+use crate::core::tet_mesh::TetMesh;
+use crate::subdivide::scheme::Scheme;
 
 /// How often the star is split for the sample of the map.
 const LEVELS: usize = 3;

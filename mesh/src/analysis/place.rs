@@ -1,6 +1,6 @@
 //! Exact positions in a refined star.
 
-use crate::topology::Topology;
+use crate::core::topology::Topology;
 
 /// Where a vertex of a refined star lies: its barycentric coordinates with
 /// respect to the star's vertices other than the centre, times 2^level; pairs

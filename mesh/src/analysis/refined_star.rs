@@ -1,11 +1,11 @@
 //! A star refined towards its centre, and one step of a scheme on it.
 
 use super::{AnalysisError, place, star};
-use crate::assemble_matrix::subdivision_matrix;
+use crate::core::tet_mesh::TetMesh;
 use crate::hierarchy::Hierarchy;
-use crate::scheme::Scheme;
-use crate::subdivision_matrix::SubdivisionMatrix;
-use crate::tet_mesh::TetMesh;
+use crate::refinement::subdivision_matrix::SubdivisionMatrix;
+use crate::subdivide::assemble_matrix::subdivision_matrix;
+use crate::subdivide::scheme::Scheme;
 
 /// A star after some linear splits, with the matrix of a scheme's next step.
 ///

@@ -1,8 +1,8 @@
 //! The tets at one vertex.
 
 use super::AnalysisError;
-use crate::raw_mesh::{Features, RawMesh, Tagged};
-use crate::tet_mesh::TetMesh;
+use crate::core::raw_mesh::{Features, RawMesh, Tagged};
+use crate::core::tet_mesh::TetMesh;
 
 /// The tets at a vertex as a mesh of their own, with the vertex as number 0
 /// and the others in their old order.

@@ -6,9 +6,9 @@
 
 use std::f64::consts::{PI, TAU};
 
-use crate::raw_mesh::{Features, RawMesh};
-use crate::reference_tet::six_volumes;
-use crate::tet_mesh::TetMesh;
+use crate::core::raw_mesh::{Features, RawMesh};
+use crate::core::reference_tet::six_volumes;
+use crate::core::tet_mesh::TetMesh;
 
 /// The star of vertex 0 with two poles (1, 2) over `layers` rings of `n` link
 /// vertices each, joined by bands of an antiprism; on the unit sphere.

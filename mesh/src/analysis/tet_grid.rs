@@ -1,6 +1,6 @@
 //! Finding the tets that contain a point.
 
-use crate::reference_tet::six_volumes;
+use crate::core::reference_tet::six_volumes;
 
 /// A regular grid of boxes over a set of tets, about one box a tet, each with
 /// the tets whose bounding boxes meet it.
@@ -78,7 +78,7 @@ fn bounds(points: &[[f64; 3]]) -> [[f64; 3]; 2] {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::shapes::kuhn_cube;
+    use crate::core::shapes::kuhn_cube;
 
     #[test]
     fn a_point_is_found_in_its_tet_and_on_a_face_in_both() {

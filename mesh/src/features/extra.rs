@@ -1,9 +1,9 @@
 //! Creases and corners that are asked for one by one.
 
-use crate::raw_mesh::RawMesh;
-use crate::reference_tet::EDGES;
-use crate::tet_mesh::TetMesh;
-use crate::topology::ascending;
+use crate::core::raw_mesh::RawMesh;
+use crate::core::reference_tet::EDGES;
+use crate::core::tet_mesh::TetMesh;
+use crate::core::topology::ascending;
 
 /// Edges and vertices of a coarsest mesh that are to be creases and corners,
 /// besides those that are found. On the boundary or inside, they follow the

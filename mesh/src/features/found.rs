@@ -2,9 +2,9 @@
 
 use super::FeatureOptions;
 use super::reasons::Reason;
-use crate::raw_mesh::{Features, RawMesh};
-use crate::strata::{Incidence, opposite_vertices, surface_faces};
-use crate::topology::{NONE, Topology, ascending};
+use crate::core::raw_mesh::{Features, RawMesh};
+use crate::core::strata::{Incidence, opposite_vertices, surface_faces};
+use crate::core::topology::{NONE, Topology, ascending};
 
 /// Creases and corners with their reasons; sorted, each once.
 pub(super) struct Found {

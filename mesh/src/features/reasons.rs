@@ -2,10 +2,10 @@
 
 use super::FeatureOptions;
 use super::found::Found;
-use crate::raw_mesh::Features;
-use crate::strata::Strata;
-use crate::tet_mesh::TetMesh;
-use crate::topology::Topology;
+use crate::core::raw_mesh::Features;
+use crate::core::strata::Strata;
+use crate::core::tet_mesh::TetMesh;
+use crate::core::topology::Topology;
 
 /// Why an edge is in the curve stratum, or a vertex in the point stratum. Where
 /// several reasons hold, the first in this order is given.

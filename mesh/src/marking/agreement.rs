@@ -1,8 +1,8 @@
 //! Choosing pairs so that neighbours agree across their faces.
 
 use super::breadth_first::neighbours;
-use crate::reference_tet::edge_in_face;
-use crate::topology::{NONE, Topology};
+use crate::core::reference_tet::edge_in_face;
+use crate::core::topology::{NONE, Topology};
 
 /// Stands for a pair that is not chosen yet.
 const UNMARKED: u8 = 3;

@@ -1,6 +1,6 @@
 //! The tets of a mesh in breadth-first order over faces.
 
-use crate::topology::{NONE, Topology};
+use crate::core::topology::{NONE, Topology};
 
 /// The face-connected parts of a mesh; each lists its tets by their distance
 /// from its lowest-numbered tet.
@@ -38,8 +38,8 @@ pub(super) fn neighbours(topology: &Topology, tet: usize) -> [u32; 4] {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::raw_mesh::RawMesh;
-    use crate::shapes::five_tet_cube;
+    use crate::core::raw_mesh::RawMesh;
+    use crate::core::shapes::five_tet_cube;
 
     #[test]
     fn parts_are_told_apart_and_ordered_by_distance() {

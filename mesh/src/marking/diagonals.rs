@@ -2,9 +2,9 @@
 
 use rayon::prelude::*;
 
-use crate::chunks::CHUNK;
-use crate::raw_mesh::RawMesh;
-use crate::reference_tet::{MARKING_PERMUTATIONS, corners};
+use crate::core::raw_mesh::RawMesh;
+use crate::core::reference_tet::{MARKING_PERMUTATIONS, corners};
+use octruss_base::ragged::CHUNK;
 
 /// Diagonals whose squared lengths differ relatively by less than this are equal.
 const TIE: f64 = 1e-9;
@@ -32,7 +32,7 @@ pub(crate) fn shortest_pairs(mesh: &RawMesh) -> Vec<u8> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::shapes::{five_tet_cube, kuhn_cube};
+    use crate::core::shapes::{five_tet_cube, kuhn_cube};
 
     #[test]
     fn the_shortest_diagonal_is_found_whatever_the_order() {

@@ -1,7 +1,7 @@
 //! How far a marking agrees, and the edges that refinement will have.
 
-use crate::reference_tet::edge_in_face;
-use crate::topology::{NONE, Topology};
+use crate::core::reference_tet::edge_in_face;
+use crate::core::topology::{NONE, Topology};
 
 /// How many faces two tets mark differently, and how many tets surround the
 /// interior edges.

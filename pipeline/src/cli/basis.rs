@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 use clap::Args;
 use octruss::recipe::{Degrees, SchemeName};
 use octruss_mesh::analysis::{LineSample, basis_function, sample_line};
-use octruss_mesh::subdivide::most_levels;
+use octruss_mesh::most_levels;
 use octruss_mesh::{FeatureOptions, Hierarchy};
 use octruss_meshio::{Dataset, Field, check_target, write, write_aside};
 

@@ -1,10 +1,10 @@
 //! Where the time of a cycle goes, of the solves that were asked to tell.
 
 use octruss::Report;
-use octruss::stages::{AccountFigures, Done, KernelFigures};
+use octruss::stages::{Done, KernelFigures, TrafficFigures};
 use octruss::table::table;
 
-/// One table a solve with an account.
+/// One table a solve with an traffic.
 pub fn of_solves(report: &Report) -> String {
     let mut text = String::new();
     for stage in &report.stages {
@@ -18,11 +18,11 @@ pub fn of_solves(report: &Report) -> String {
     text
 }
 
-fn describe(title: &str, account: &AccountFigures) -> String {
+fn describe(title: &str, traffic: &TrafficFigures) -> String {
     let head = [title, "MB", "ms", "GB/s", "of copy"].map(String::from).to_vec();
-    let kernels = account.kernels.iter().chain([&account.cycle]).map(row);
+    let kernels = traffic.kernels.iter().chain([&traffic.cycle]).map(row);
     let rows: Vec<Vec<String>> = std::iter::once(head).chain(kernels).collect();
-    let copy = account.copy_bytes_per_second / 1e9;
+    let copy = traffic.copy_bytes_per_second / 1e9;
     format!("{}copying memory: {copy:.1} GB/s, read and written\n\n", table(&rows))
 }
 

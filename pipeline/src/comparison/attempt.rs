@@ -1,6 +1,9 @@
 //! A solve that may fail to converge: a finding here, not an error.
 
-use octruss_solver::{Entry, Error, Multigrid, SolveOptions, SolveReport, conjugate_gradients};
+use octruss_fem::Error;
+use octruss_solver::{
+    Entry, Error as SolverError, Multigrid, SolveOptions, SolveReport, conjugate_gradients,
+};
 
 use crate::stages::multigrid::Discrete;
 use crate::stages::{Context, Solve};
@@ -28,7 +31,7 @@ pub(super) fn attempt<E: Entry<Real = f64>>(
     };
     match conjugate_gradients(&discrete.matrix, rhs, multigrid, &goal) {
         Ok(solved) => Ok(Some(solved)),
-        Err(Error::NotConverged(_) | Error::NotPositiveDefinite { .. }) => Ok(None),
-        Err(error) => Err(error),
+        Err(SolverError::NotConverged(_) | SolverError::NotPositiveDefinite { .. }) => Ok(None),
+        Err(error) => Err(error.into()),
     }
 }

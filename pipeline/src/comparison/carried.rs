@@ -2,8 +2,9 @@
 //! by a scheme and by linear interpolation, and both are compared with the solution
 //! of the finer level.
 
+use octruss_fem::Error;
 use octruss_mesh::{Hierarchy, Scheme};
-use octruss_solver::{Entry, Error, Nodal, dot, kernels, norm};
+use octruss_solver::{Entry, Nodal, dot, kernels, norm};
 use serde::Serialize;
 
 use super::attempt::attempt;

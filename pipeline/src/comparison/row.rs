@@ -2,9 +2,10 @@
 
 use std::time::Instant;
 
+use octruss_fem::Error;
 use octruss_mesh::Hierarchy;
 use octruss_solver::{
-    Csr, CycleShape, Entry, Error, Multigrid, Nodal, SolveReport, geometric_mean, noise, reductions,
+    Csr, CycleShape, Entry, Multigrid, Nodal, SolveReport, geometric_mean, noise, reductions,
 };
 use serde::Serialize;
 

@@ -4,8 +4,9 @@ use std::path::Path;
 use std::sync::atomic::AtomicBool;
 use std::time::Instant;
 
+use octruss_fem::Error as SolverError;
 use octruss_mesh::{Hierarchy, Scheme};
-use octruss_solver::{Entry, Error as SolverError};
+use octruss_solver::Entry;
 
 use super::Comparison;
 use super::carried::{self, Carried};
@@ -195,7 +196,9 @@ impl<'a> Study<'a> {
 
     fn failed(&self, source: SolverError, what: &str, context: &Context) -> Error {
         match source {
-            SolverError::Stopped(_) => Error::Stopped { stage: context.progress.label.into() },
+            SolverError::Solver(octruss_solver::Error::Stopped(_)) => {
+                Error::Stopped { stage: context.progress.label.into() }
+            }
             source => context.solver(what, source),
         }
     }

@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use octruss_solver::{Scalar, Vector};
+use octruss_fem::{Scalar, Vector};
 use serde::de::{Deserialize, Deserializer, Error, Visitor};
 
 use crate::expression::{Expression, ExpressionError};

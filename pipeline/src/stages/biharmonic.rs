@@ -1,7 +1,7 @@
 //! A biharmonic problem from the names that a config uses.
 
+use octruss_fem::{Biharmonic, Scalar, assemble_biharmonic};
 use octruss_mesh::Hierarchy;
-use octruss_solver::{Biharmonic, Scalar, assemble_biharmonic};
 
 use super::Context;
 use super::groups::by_region;

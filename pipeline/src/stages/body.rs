@@ -1,10 +1,9 @@
 //! What a deformed body has to show: strains, stresses, forces.
 
+use octruss_fem::Error;
+use octruss_fem::{Constraints, Elasticity, Forces, Recovery, strains, stresses, von_mises};
 use octruss_mesh::{Hierarchy, RawMesh};
 use octruss_meshio::{Field, Values};
-use octruss_solver::{
-    Constraints, Elasticity, Error, Forces, Recovery, strains, stresses, von_mises,
-};
 use serde::Serialize;
 use toml::Spanned;
 

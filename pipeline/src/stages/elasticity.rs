@@ -2,11 +2,12 @@
 
 use std::time::Instant;
 
-use octruss_mesh::{Hierarchy, RawMesh};
-use octruss_solver::{
-    ByRegion, Constraints, Elasticity, Error as SolverError, Held, Material, Stiffness, Support,
-    VectorSystem, assemble_elasticity, vector,
+use octruss_fem::Error as SolverError;
+use octruss_fem::{
+    ByRegion, Constraints, Elasticity, Held, Material, Stiffness, Support, VectorSystem,
+    assemble_elasticity, vector,
 };
+use octruss_mesh::{Hierarchy, RawMesh};
 
 use super::Context;
 use super::body::Body;

@@ -2,11 +2,10 @@
 
 use std::borrow::Cow;
 
+use octruss_fem::Error;
+use octruss_fem::{LevelUnknowns, restrict_to_free, smooth_lift};
 use octruss_mesh::{Hierarchy, Scheme, SubdivisionMatrix, linear_matrix, quadratic_matrix};
-use octruss_solver::{
-    Csr, Entry, Error, LevelUnknowns, Multigrid, Nodal, SolveOptions, conjugate_gradients, kernels,
-    restrict_to_free, smooth_lift,
-};
+use octruss_solver::{Csr, Entry, Multigrid, Nodal, SolveOptions, conjugate_gradients, kernels};
 
 use super::method::Cycle;
 use super::multigrid::Discrete;
@@ -75,7 +74,7 @@ impl FullTransfer {
             .map(|(matrix, pair)| restrict_to_free(matrix, &pair[1].dofs, &pair[0].dofs))
             .collect::<Result<Vec<_>, _>>()?;
         let Some(coarsest) = coarsest else {
-            return multigrid.full_multigrid(rhs, &transfers, 1);
+            return Ok(multigrid.full_multigrid(rhs, &transfers, 1)?);
         };
         let lift = smooth_lift(coarsest, &matrices, levels)?;
         let mut rest = rhs.clone();
@@ -106,7 +105,7 @@ impl Solve {
         }
         let (matrix, rhs) = assemble()?;
         let mut direct = Multigrid::new(&matrix, Vec::new(), &self.multigrid_options())?;
-        conjugate_gradients(&matrix, &rhs, &mut direct, &SolveOptions::default())
-            .map(|(x, _)| Some(x))
+        let (x, _) = conjugate_gradients(&matrix, &rhs, &mut direct, &SolveOptions::default())?;
+        Ok(Some(x))
     }
 }

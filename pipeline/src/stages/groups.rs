@@ -1,7 +1,7 @@
 //! Groups of the mesh by the names that configs use.
 
+use octruss_fem::ByRegion;
 use octruss_mesh::RawMesh;
-use octruss_solver::ByRegion;
 use toml::Spanned;
 
 use super::Context;

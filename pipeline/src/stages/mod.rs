@@ -1,7 +1,6 @@
 //! The steps of a run: one file each, with its options, what it does and what
 //! it reports.
 
-mod account;
 pub(crate) mod biharmonic;
 mod body;
 mod carried_fields;
@@ -22,6 +21,7 @@ mod solve;
 mod stale;
 mod subdivide;
 mod subdivide_report;
+mod traffic;
 pub(crate) mod transfers;
 mod unfinished;
 mod write;
@@ -33,7 +33,6 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use serde::{Deserialize, Serialize};
 use toml::Spanned;
 
-pub use account::{AccountFigures, KernelFigures};
 pub use body::{BodyFigures, Force, ForceFigures, SurfaceForce};
 pub use carried_fields::{CarriedFields, FieldFigures};
 pub use check::{Check, CheckReport};
@@ -48,6 +47,7 @@ pub use subdivide::Subdivide;
 pub use subdivide_report::{
     GuardFigures, LevelReport, MarkingFigures, ReasonCounts, Strata, SubdivideReport,
 };
+pub use traffic::{KernelFigures, TrafficFigures};
 pub use transfers::{CoarseOperator, TransferFigures};
 pub use write::{Write, WriteReport};
 
@@ -133,7 +133,7 @@ impl Context<'_> {
     }
 
     /// An error of the solver, with what it was doing.
-    pub(crate) fn solver(&self, what: &str, source: octruss_solver::Error) -> Error {
+    pub(crate) fn solver(&self, what: &str, source: octruss_fem::Error) -> Error {
         Error::Solve { stage: self.progress.label.into(), what: what.into(), source }
     }
 

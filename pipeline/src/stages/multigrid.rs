@@ -2,14 +2,16 @@
 
 use std::time::Instant;
 
+use octruss_fem::Error;
+use octruss_fem::{Dofs, LevelUnknowns};
 use octruss_mesh::{Hierarchy, TetMesh};
-use octruss_solver::{Csr, Dofs, Entry, Error, LevelUnknowns, Multigrid, Nodal, SolveOptions};
+use octruss_solver::{Csr, Entry, Multigrid, Nodal, SolveOptions};
 use serde::Serialize;
 
 use super::Context;
-use super::account::{AccountFigures, REPEATS};
 use super::method::MethodFigures;
 use super::solve::Solve;
+use super::traffic::{REPEATS, TrafficFigures};
 use super::transfers::{Made, TransferFigures, reassemble, transfer_figures, transfers};
 use crate::progress::News;
 use crate::recipe::{Choice, Prolongations};
@@ -73,7 +75,7 @@ pub struct SolveFigures {
     pub solve_seconds: f64,
     /// Bytes and bandwidth of each kernel of a cycle, if asked for.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub account: Option<AccountFigures>,
+    pub account: Option<TrafficFigures>,
 }
 
 impl SolveFigures {
@@ -189,7 +191,7 @@ pub fn solve_with<E: Entry<Real = f64>>(
         progress: Some(&tell),
     };
     let (x, report) = options.iterate((matrix, rhs), &mut multigrid, &stop)?;
-    let account = options.account.then(|| multigrid.account(REPEATS).into());
+    let account = options.account.then(|| multigrid.traffic(REPEATS).into());
     let cycles = report.iterations as f64;
     // Without an iteration nothing was reduced, and nothing done.
     let first_residual = report.residual_history[0];

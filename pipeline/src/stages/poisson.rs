@@ -1,7 +1,7 @@
 //! A Poisson problem from the names that a config uses.
 
+use octruss_fem::{Poisson, Robin, Scalar, assemble};
 use octruss_mesh::{Hierarchy, RawMesh};
-use octruss_solver::{Poisson, Robin, Scalar, assemble};
 
 use super::Context;
 use super::groups::{by_region, on_surfaces};

@@ -2,9 +2,10 @@
 
 use std::time::Instant;
 
+use octruss_fem::Error as SolverError;
+use octruss_fem::{Dofs, Scalar, System};
 use octruss_mesh::{Hierarchy, RawMesh};
 use octruss_meshio::Field;
-use octruss_solver::{Dofs, Error as SolverError, Scalar, System};
 
 use super::Context;
 use super::groups::on_surfaces;

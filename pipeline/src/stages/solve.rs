@@ -4,9 +4,10 @@ use std::num::NonZeroU8;
 use std::ops::Range;
 use std::time::Instant;
 
+use octruss_fem::Error as SolverError;
 use octruss_mesh::{AffineCorrection, FeatureOptions, Hierarchy, InterfaceRows, Scheme};
 use octruss_meshio::{Field, Values};
-use octruss_solver::{Entry, Error as SolverError, Nodal, Precision, Smoother};
+use octruss_solver::{Entry, Nodal, Precision, Smoother};
 use serde::{Deserialize, Serialize};
 use toml::Spanned;
 

@@ -1,11 +1,11 @@
 //! Refining the mesh, level by level.
 
 use octruss_mesh::guard::usual_floor;
-use octruss_mesh::subdivide::{MAX_TETS, most_levels};
 use octruss_mesh::{
     Diagonal, ExtraFeatures, FeatureOptions, Marking, Overshoot, Scheme, Step, TetMesh, Topology,
     marking_report,
 };
+use octruss_mesh::{MAX_TETS, most_levels};
 use serde::Deserialize;
 use toml::Spanned;
 

@@ -1,9 +1,11 @@
 //! From the names of prolongations to the transfers of a multigrid.
 
+use octruss_fem::Error;
+use octruss_fem::{LevelUnknowns, restrict_to_free};
 use octruss_mesh::{
     AffineCorrection, CorrectedRows, Hierarchy, InterfaceRows, ProlongationOptions,
 };
-use octruss_solver::{Csr, Entry, Error, LevelUnknowns, Transfer, restrict_to_free};
+use octruss_solver::{Csr, Entry, Transfer};
 use serde::Serialize;
 
 use crate::recipe::{Choice, Prolongation, Prolongations};

@@ -1,8 +1,9 @@
 //! What is kept of a solve that did not reach its goal.
 
+use octruss_fem::Error as SolverError;
 use octruss_mesh::TetMesh;
 use octruss_meshio::{Dataset, Field, vtu};
-use octruss_solver::{Error as SolverError, SolveReport};
+use octruss_solver::SolveReport;
 
 use super::Context;
 use crate::error::Error;

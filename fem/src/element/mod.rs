@@ -1,0 +1,4 @@
+//! What happens on one tet.
+
+pub mod p1;
+pub mod quadrature;

@@ -1,0 +1,7 @@
+//! The equations, with coefficients by region and data by surface.
+
+pub mod biharmonic;
+pub mod by_region;
+pub mod elasticity;
+pub mod poisson;
+pub mod scalar;

@@ -1,0 +1,97 @@
+//! The forces on a deformed body: what supports, springs and loads do to it.
+
+use crate::assemble::elasticity_load::{for_springs, load_vector};
+use crate::assemble::scatter::Scatter;
+use crate::boundary::constraints::Constraints;
+use crate::element::p1::{scaled_gradients, triangle_area};
+use crate::error::Error;
+use crate::problem::elasticity::Elasticity;
+use crate::recovery::stress::full;
+use octruss_base::vector3::{Vector3, add, apply, dot3, length, scale, subtract};
+use octruss_mesh::{TetMesh, Topology};
+use octruss_solver::check_size;
+
+/// All forces on a body, each summed over what it acts on.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Forces {
+    /// For each support of the problem, the force with which it holds the body.
+    /// Where supports hold one vertex in different directions, each has the share
+    /// along its own.
+    pub supports: Vec<[f64; 3]>,
+    /// For each entry of the problem's springs, the force on the body.
+    pub springs: Vec<[f64; 3]>,
+    /// Body forces, gravity, tractions and pressures.
+    pub loads: [f64; 3],
+}
+
+impl Forces {
+    /// The forces at a displacement with these stresses.
+    ///
+    /// # Errors
+    /// [`Error::Size`] unless there is a displacement for each vertex and a stress
+    /// for each tet; those of the problem's assembly.
+    pub fn new(
+        (mesh, topology): (&TetMesh, &Topology),
+        problem: &Elasticity,
+        constraints: &Constraints,
+        displacement: &[[f64; 3]],
+        stresses: &[[f64; 6]],
+    ) -> Result<Self, Error> {
+        check_size("displacements", displacement.len(), mesh.points().len())?;
+        check_size("stresses", stresses.len(), mesh.tets().len())?;
+        let load = load_vector(mesh, topology, problem)?;
+        let mut residual = internal_forces(mesh, stresses);
+        let mut springs = vec![[0.0; 3]; problem.springs.len()];
+        for_springs(mesh, topology, problem, |index, triangle, corners, stiffness| {
+            // The same rule as in the matrix: half of what acts at the midpoint of
+            // an edge goes to each end.
+            let share = triangle_area(corners) / 3.0;
+            for (a, b) in [(0, 1), (0, 2), (1, 2)] {
+                let middle = scale(0.5, add(corners[a], corners[b]));
+                let [u_a, u_b] = [a, b].map(|v| displacement[triangle[v] as usize]);
+                let moved = scale(0.5, add(u_a, u_b));
+                let force = stiffness(middle).into_iter().fold([0.0; 3], |sum, (along, k)| {
+                    add(sum, scale(-share * k * dot3(along, moved), along))
+                });
+                springs[index] = add(springs[index], force);
+                for vertex in [a, b] {
+                    let at = &mut residual[triangle[vertex] as usize];
+                    *at = subtract(*at, scale(0.5, force));
+                }
+            }
+        })?;
+        let mut supports = vec![[0.0; 3]; problem.supports.len()];
+        for held in constraints.held() {
+            let vertex = held.vertex as usize;
+            let rest = subtract(residual[vertex], load[vertex]);
+            let held_part = subtract(rest, apply(&held.projector, rest));
+            for (support, share) in held.shares(held_part) {
+                supports[support] = add(supports[support], share);
+            }
+        }
+        Ok(Self { supports, springs, loads: sum(&load) })
+    }
+
+    /// The size of the sum of all forces relative to the largest of them: 0 in
+    /// equilibrium, up to the accuracy of the solve.
+    pub fn imbalance(&self) -> f64 {
+        let all = [&self.supports[..], &self.springs, &[self.loads]].concat();
+        let largest = all.iter().map(|force| length(*force)).fold(0.0, f64::max);
+        if largest == 0.0 { 0.0 } else { length(sum(&all)) / largest }
+    }
+}
+
+/// ∫ σ ∇φ at each vertex: the force with which the body resists there.
+fn internal_forces(mesh: &TetMesh, stresses: &[[f64; 6]]) -> Vec<Vector3> {
+    let scatter = Scatter::new(mesh.tets(), mesh.points().len());
+    let sums = scatter.sum(|tet| {
+        let (_, gradients) = scaled_gradients(mesh.corners(tet));
+        let stress = full(&stresses[tet]);
+        gradients.map(|gradient| scale(1.0 / 6.0, apply(&stress, gradient)))
+    });
+    sums.in_order()
+}
+
+fn sum(forces: &[Vector3]) -> Vector3 {
+    forces.iter().fold([0.0; 3], |sum, force| add(sum, *force))
+}

@@ -1,0 +1,11 @@
+//! The mesh itself: tets, tagged simplices, their topology and strata.
+
+pub mod components;
+pub mod hilbert;
+pub mod locality;
+pub mod raw_mesh;
+pub mod reference_tet;
+pub mod shapes;
+pub mod strata;
+pub mod tet_mesh;
+pub mod topology;

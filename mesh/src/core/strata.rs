@@ -1,0 +1,191 @@
+//! Which stratum holds each vertex and edge: point, curve, surface or solid.
+//!
+//! Boundary, crease, corner, dart and material interface are all instances of
+//! "the lowest-dimensional stratum that holds it". A row of a subdivision
+//! matrix reads neighbours of its own stratum only; so boundary rows read
+//! boundary columns only.
+
+use rayon::prelude::*;
+
+use crate::core::raw_mesh::{Features, RawMesh};
+use crate::core::topology::{NONE, Topology};
+
+/// For every vertex and edge the dimension of its stratum, and the neighbours there.
+#[derive(Debug, Clone)]
+pub struct Strata {
+    /// 0 fixed, 1 curve, 2 surface, 3 solid, for each vertex.
+    pub vertex_dimensions: Vec<u8>,
+    /// 1 curve, 2 surface, 3 solid, for each edge. An edge is in a stratum only
+    /// if it is an edge of it, not because its ends are.
+    pub edge_dimensions: Vec<u8>,
+    /// Whether there are edges that no face holds.
+    pub(crate) has_free_edges: bool,
+    /// Whether each face belongs to a surface stratum.
+    pub is_surface: Vec<bool>,
+    /// Neighbours of vertices along edges of surface strata.
+    surface: Incidence,
+    /// Neighbours of vertices along curve edges.
+    curve: Incidence,
+    /// For each edge of a surface stratum the opposite vertices of its faces.
+    opposite: Incidence,
+}
+
+impl Strata {
+    /// Sorts vertices and edges into strata, given the features found before.
+    pub fn new(mesh: &RawMesh, topology: &Topology, features: &Features) -> Self {
+        let is_surface = surface_faces(mesh, topology, features);
+        let opposite = opposite_vertices(topology, &is_surface);
+        let ends = |edge: u32| topology.edges()[edge as usize];
+        // Whatever the features say, no surface rule holds where a surface ends
+        // or branches.
+        let branches = opposite.keys().filter(|&edge| opposite.of(edge).len() != 2).map(ends);
+        let curves: Vec<[u32; 2]> = features.creases.iter().copied().chain(branches).collect();
+        let mut edge_dimensions = vec![3; topology.edges().len()];
+        for edge in opposite.keys() {
+            edge_dimensions[edge as usize] = 2;
+        }
+        // A free edge has nothing but its ends to follow: the midpoint, as on a curve.
+        let on_curves = curves.iter().filter_map(|&[a, b]| topology.edge_between(a, b));
+        let free = free_edges(mesh, topology);
+        for edge in on_curves.chain(free.iter().copied()) {
+            edge_dimensions[edge as usize] = 1;
+        }
+        let surface = Incidence::symmetric(opposite.keys().map(ends));
+        let curve = Incidence::symmetric(curves.into_iter());
+        let vertex_dimensions = vertex_dimensions(mesh, features, &surface, &curve);
+        let has_free_edges = !free.is_empty();
+        Self {
+            vertex_dimensions,
+            edge_dimensions,
+            has_free_edges,
+            is_surface,
+            surface,
+            curve,
+            opposite,
+        }
+    }
+
+    /// The vertices that share an edge of a surface stratum with this one, ascending.
+    pub fn surface_neighbours(&self, vertex: u32) -> &[u32] {
+        self.surface.of(vertex)
+    }
+
+    /// The vertices that share a curve edge with this one, ascending.
+    pub fn curve_neighbours(&self, vertex: u32) -> &[u32] {
+        self.curve.of(vertex)
+    }
+
+    /// The third vertices of the surface faces at an edge, ascending.
+    pub fn opposite_vertices(&self, edge: u32) -> &[u32] {
+        self.opposite.of(edge)
+    }
+}
+
+/// Which faces belong to surface strata: the boundary, interfaces between
+/// regions, triangles that stand free, and those of the groups asked for.
+pub(crate) fn surface_faces(mesh: &RawMesh, topology: &Topology, features: &Features) -> Vec<bool> {
+    let mut is_surface: Vec<bool> = topology
+        .face_tets()
+        .par_iter()
+        .map(|&[first, second]| {
+            second == NONE || mesh.regions[first as usize] != mesh.regions[second as usize]
+        })
+        .collect();
+    for (triangle, tag) in mesh.triangles.iter() {
+        if features.surfaces.binary_search(&tag).is_ok()
+            && let Some(face) = topology.face_of(triangle)
+        {
+            is_surface[face as usize] = true;
+        }
+    }
+    is_surface
+}
+
+/// For each edge of a surface face the third vertices of these faces.
+pub(crate) fn opposite_vertices(topology: &Topology, is_surface: &[bool]) -> Incidence {
+    let pairs = (0..is_surface.len()).filter(|&face| is_surface[face]).flat_map(|face| {
+        let [a, b, c] = topology.faces()[face];
+        let [ab, ac, bc] = topology.face_edges()[face];
+        [[ab, c], [ac, b], [bc, a]]
+    });
+    Incidence::new(pairs.collect())
+}
+
+/// Tagged edges that neither a tet nor a triangle uses.
+fn free_edges(mesh: &RawMesh, topology: &Topology) -> Vec<u32> {
+    let mut free: Vec<u32> =
+        mesh.edges.simplices.iter().filter_map(|&[a, b]| topology.edge_between(a, b)).collect();
+    if !free.is_empty() {
+        let mut used = vec![false; topology.edges().len()];
+        topology.face_edges().as_flattened().iter().for_each(|&edge| used[edge as usize] = true);
+        free.retain(|&edge| !used[edge as usize]);
+    }
+    free
+}
+
+fn vertex_dimensions(
+    mesh: &RawMesh,
+    features: &Features,
+    surface: &Incidence,
+    curve: &Incidence,
+) -> Vec<u8> {
+    let mut dimensions = vec![3; mesh.points.len()];
+    // The end of a free curve, and a point on its own, have nothing to follow.
+    if !(mesh.edges.is_empty() && mesh.vertices.is_empty()) {
+        dimensions.fill(0);
+        mesh.tets.as_flattened().iter().for_each(|&v| dimensions[v as usize] = 3);
+    }
+    surface.keys().for_each(|v| dimensions[v as usize] = 2);
+    for v in curve.keys() {
+        match curve.of(v).len() {
+            // The end of a crease (a dart): the smooth rule.
+            0 | 1 => {}
+            2 => dimensions[v as usize] = 1,
+            _ => dimensions[v as usize] = 0,
+        }
+    }
+    features.corners.iter().for_each(|&v| dimensions[v as usize] = 0);
+    dimensions
+}
+
+/// Short lists for a few of many keys: strata below the solid are small.
+#[derive(Debug, Clone)]
+pub(crate) struct Incidence {
+    keys: Vec<u32>,
+    offsets: Vec<u32>,
+    values: Vec<u32>,
+}
+
+impl Incidence {
+    /// Groups (key, value) pairs; values ascending, without duplicates.
+    pub fn new(mut pairs: Vec<[u32; 2]>) -> Self {
+        pairs.par_sort_unstable();
+        pairs.dedup();
+        let mut keys = Vec::new();
+        let mut offsets = Vec::new();
+        for (at, pair) in pairs.iter().enumerate() {
+            if keys.last() != Some(&pair[0]) {
+                keys.push(pair[0]);
+                offsets.push(at as u32);
+            }
+        }
+        offsets.push(pairs.len() as u32);
+        Self { keys, offsets, values: pairs.into_iter().map(|pair| pair[1]).collect() }
+    }
+
+    /// Both directions of each pair.
+    fn symmetric(pairs: impl Iterator<Item = [u32; 2]>) -> Self {
+        Self::new(pairs.flat_map(|[a, b]| [[a, b], [b, a]]).collect())
+    }
+
+    pub fn keys(&self) -> impl Iterator<Item = u32> {
+        self.keys.iter().copied()
+    }
+
+    pub fn of(&self, key: u32) -> &[u32] {
+        match self.keys.binary_search(&key) {
+            Ok(at) => &self.values[self.offsets[at] as usize..self.offsets[at + 1] as usize],
+            Err(_) => &[],
+        }
+    }
+}

@@ -1,0 +1,69 @@
+//! What one subdivision step is to do.
+
+use crate::subdivide::scheme::Scheme;
+
+/// A scheme for the vertices, a diagonal for the tets, and perhaps a guard.
+///
+/// Scheme and diagonal are chosen apart: the weights of a scheme depend on the
+/// coarse mesh alone, and the diagonals change only how the fine vertices are
+/// joined. A scheme on its own is a step that inherits its diagonals, without
+/// a guard.
+///
+/// ```
+/// use octruss_mesh::{Diagonal, FeatureOptions, Hierarchy, Scheme, Step, shapes};
+/// let mut levels = Hierarchy::new(shapes::five_tet_cube(), &FeatureOptions::default());
+/// levels.subdivide(Scheme::LOOP_SOLID)?;
+/// let diagonal = Diagonal::ShortestEachLevel;
+/// levels.subdivide(Step { diagonal, ..Scheme::LOOP_SOLID.into() })?;
+/// assert_eq!(levels.finest().tets().len(), 5 * 64);
+/// # Ok::<(), octruss_mesh::SubdivideError>(())
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Step {
+    /// The weights.
+    pub scheme: Scheme,
+    /// The connectivity.
+    pub diagonal: Diagonal,
+    /// Keep η above this by pulling rows back to the linear rule; `None` for
+    /// no guard. A tet whose parent is below keeps the parent's quality.
+    pub min_quality: Option<f64>,
+}
+
+/// Which inner diagonal splits a tet.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Diagonal {
+    /// That of the marked pair, as handed on from the parent: keeps the regular
+    /// lattice inside each initial tet.
+    #[default]
+    Inherit,
+    /// The shortest one at every level, as in Wang's thesis; ties keep the
+    /// marked pair, as does a guard whose floor its descendants would break.
+    ///
+    /// The parts of a tet then form no octet truss, so the averaged scheme takes
+    /// each tet of the next level for a tetrahedral cell.
+    ShortestEachLevel,
+}
+
+impl Diagonal {
+    /// Every choice.
+    pub const ALL: [Self; 2] = [Self::Inherit, Self::ShortestEachLevel];
+
+    /// The name by which configurations and the command line call it.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Inherit => "inherit",
+            Self::ShortestEachLevel => "shortest-each-level",
+        }
+    }
+
+    /// The choice of a name.
+    pub fn from_name(name: &str) -> Option<Self> {
+        Self::ALL.into_iter().find(|diagonal| diagonal.name() == name)
+    }
+}
+
+impl From<Scheme> for Step {
+    fn from(scheme: Scheme) -> Self {
+        Self { scheme, diagonal: Diagonal::Inherit, min_quality: None }
+    }
+}

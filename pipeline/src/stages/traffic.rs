@@ -1,0 +1,67 @@
+//! Bytes, seconds and bandwidth of each kernel of a cycle, as the report tells them.
+
+use octruss_solver::{KernelTraffic, Traffic};
+use serde::Serialize;
+
+/// How often each kernel is measured; the median counts.
+pub(super) const REPEATS: usize = 7;
+
+/// Where the time of a cycle goes.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct TrafficFigures {
+    /// Bytes a second of copying memory in the same run, read and written ones
+    /// counted.
+    pub copy_bytes_per_second: f64,
+    /// A whole V-cycle.
+    pub cycle: KernelFigures,
+    /// Each kernel on each level.
+    pub kernels: Vec<KernelFigures>,
+}
+
+/// One kernel on one level.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct KernelFigures {
+    /// By which expectations call it, such as `level-0-residual`.
+    pub name: String,
+    /// The level, 0 the finest; none of a whole cycle.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub level: Option<usize>,
+    /// What it does.
+    pub kernel: &'static str,
+    /// What it must read and write, from the sizes of its arrays, each once.
+    pub bytes: usize,
+    /// The median time of one run.
+    pub seconds: f64,
+    /// Those over these; levels that fit a cache exceed what memory can do.
+    pub bytes_per_second: f64,
+    /// As a share of that of copying memory.
+    pub copy_fraction: f64,
+}
+
+impl From<Traffic> for TrafficFigures {
+    fn from(traffic: Traffic) -> Self {
+        let copy = traffic.copy_bandwidth;
+        // Without sweeps on one side of the correction there is no such kernel.
+        let kernels = traffic.kernels.iter().filter(|kernel| kernel.bytes > 0);
+        Self {
+            copy_bytes_per_second: copy,
+            cycle: KernelFigures::new(&traffic.cycle, None, copy),
+            kernels: kernels
+                .map(|kernel| KernelFigures::new(kernel, Some(kernel.level), copy))
+                .collect(),
+        }
+    }
+}
+
+impl KernelFigures {
+    fn new(traffic: &KernelTraffic, level: Option<usize>, copy: f64) -> Self {
+        let &KernelTraffic { kernel, bytes, seconds, .. } = traffic;
+        let name = match level {
+            Some(level) => format!("level-{level}-{}", kernel.replace(' ', "-")),
+            None => kernel.into(),
+        };
+        let bytes_per_second = traffic.bandwidth();
+        let copy_fraction = bytes_per_second / copy;
+        Self { name, level, kernel, bytes, seconds, bytes_per_second, copy_fraction }
+    }
+}

@@ -1,0 +1,160 @@
+//! What every iteration has in common: its goal, its history, its report.
+
+use crate::error::{Error, check_finite, check_size};
+use crate::report::{SolveReport, Unfinished};
+use crate::sparse::csr::Csr;
+use crate::sparse::dot::{dot, norm};
+use crate::sparse::entry::{Entry, Nodal};
+use crate::sparse::kernels::residual;
+use std::ops::ControlFlow;
+use std::time::Instant;
+
+/// Called after each iteration with its number and the relative residual;
+/// `Break` stops the solve.
+pub type EachIteration<'a> = &'a (dyn Fn(usize, f64) -> ControlFlow<()> + Sync);
+
+/// Where to start, when to stop, and whom to tell.
+#[derive(Clone, Copy)]
+pub struct SolveOptions<'a> {
+    /// The first iterate; zero if not given. Of a system of blocks three numbers for
+    /// each row. One that is no nearer to the solution than zero, in the energy norm,
+    /// is passed over, so that a poor start does not cost iterations.
+    pub start: Option<&'a [f64]>,
+    /// Stop when ‖b − A x‖ ≤ tolerance ‖b‖, in the Euclidean norm.
+    pub tolerance: f64,
+    /// Give up after this many iterations.
+    pub max_iterations: usize,
+    /// Told after each iteration.
+    pub progress: Option<EachIteration<'a>>,
+}
+
+impl Default for SolveOptions<'_> {
+    /// From zero to 10⁻⁸ within 200 iterations, silently.
+    fn default() -> Self {
+        Self { start: None, tolerance: 1e-8, max_iterations: 200, progress: None }
+    }
+}
+
+/// A solve under way.
+pub(crate) struct Iteration<'a, E: Entry> {
+    matrix: &'a Csr<E>,
+    rhs: &'a [E::Nodal],
+    rhs_norm: f64,
+    options: &'a SolveOptions<'a>,
+    setup_seconds: f64,
+    began: Instant,
+    history: Vec<f64>,
+    best_norm: f64,
+    /// The iterate with the smallest residual, unless it is the last.
+    best: Option<Vec<E::Nodal>>,
+}
+
+impl<'a, E: Entry<Real = f64>> Iteration<'a, E> {
+    /// Checks sizes and numbers.
+    pub(crate) fn new(
+        matrix: &'a Csr<E>,
+        rhs: &'a [E::Nodal],
+        setup_seconds: f64,
+        options: &'a SolveOptions<'a>,
+    ) -> Result<Self, Error> {
+        let began = Instant::now();
+        check_size("columns of the matrix", matrix.columns(), matrix.rows())?;
+        check_size("entries of the right-hand side", rhs.len(), matrix.rows())?;
+        check_finite("matrix", E::flat(matrix.values()))?;
+        check_finite("right-hand side", Nodal::flat(rhs))?;
+        if options.tolerance < 0.0 || options.tolerance.is_nan() {
+            return Err(Error::Option { option: "tolerance", expected: "0 or more" });
+        }
+        if let Some(start) = options.start {
+            check_size("numbers of the start", start.len(), E::SIZE * matrix.rows())?;
+            check_finite("start", start)?;
+        }
+        let (rhs_norm, best_norm) = (norm(rhs), f64::INFINITY);
+        let (history, best) = (Vec::new(), None);
+        Ok(Self { matrix, rhs, rhs_norm, options, setup_seconds, began, history, best_norm, best })
+    }
+
+    /// The first iterate and its residual; whether zero, should it be the first, may
+    /// turn out as the best.
+    pub(crate) fn first_iterate(&mut self, zero_counts: bool) -> (Vec<E::Nodal>, Vec<E::Nodal>) {
+        let mut counts = zero_counts;
+        let (mut x, mut r) = (vec![E::Nodal::default(); self.rhs.len()], self.rhs.to_vec());
+        if let Some(start) = self.options.start {
+            Nodal::flat_mut(&mut x).copy_from_slice(start);
+            residual(self.matrix, &x, self.rhs, &mut r);
+            // The squares of the energy norms of the errors of zero and of x, one
+            // minus the other.
+            let gain = dot(&x, self.rhs) + dot(&x, &r);
+            if gain > 0.0 {
+                counts = true;
+            } else {
+                x.fill(E::Nodal::default());
+                r.copy_from_slice(self.rhs);
+            }
+        }
+        let residual_norm = norm(&r);
+        if counts {
+            self.best_norm = residual_norm;
+        }
+        self.history.push(residual_norm / self.scale());
+        (x, r)
+    }
+
+    /// Whether this many iterations are allowed.
+    pub(crate) fn may_go_on(&self) -> bool {
+        self.history.len() <= self.options.max_iterations
+    }
+
+    /// Whether a residual of this norm is small enough.
+    pub(crate) fn is_small(&self, residual_norm: f64) -> bool {
+        residual_norm <= self.options.tolerance * self.rhs_norm
+    }
+
+    /// Notes the residual's norm after an iteration, and the iterate before it if
+    /// that was better than all, this one included; `Break` if asked to stop.
+    pub(crate) fn record(
+        &mut self,
+        residual_norm: f64,
+        iterate_before: impl FnOnce() -> Vec<E::Nodal>,
+    ) -> ControlFlow<()> {
+        if residual_norm < self.best_norm {
+            (self.best_norm, self.best) = (residual_norm, None);
+        } else if self.best.is_none() {
+            self.best = Some(iterate_before());
+        }
+        let relative = residual_norm / self.scale();
+        let iteration = self.history.len();
+        self.history.push(relative);
+        self.options.progress.map_or(ControlFlow::Continue(()), |tell| tell(iteration, relative))
+    }
+
+    /// The solution with its report.
+    pub(crate) fn finish(self, x: Vec<E::Nodal>) -> (Vec<E::Nodal>, SolveReport) {
+        let report = self.report(&x);
+        (x, report)
+    }
+
+    /// What is left when the goal was not reached and `x` is the last iterate.
+    pub(crate) fn unfinished(mut self, x: Vec<E::Nodal>) -> Box<Unfinished> {
+        let x = self.best.take().unwrap_or(x);
+        let report = self.report(&x);
+        Box::new(Unfinished { report, iterate: Nodal::flat(&x).to_vec() })
+    }
+
+    /// What residuals are relative to.
+    fn scale(&self) -> f64 {
+        if self.rhs_norm == 0.0 { 1.0 } else { self.rhs_norm }
+    }
+
+    fn report(self, x: &[E::Nodal]) -> SolveReport {
+        let mut r = vec![E::Nodal::default(); x.len()];
+        residual(self.matrix, x, self.rhs, &mut r);
+        SolveReport {
+            iterations: self.history.len() - 1,
+            relative_residual: norm(&r) / self.scale(),
+            residual_history: self.history,
+            setup_seconds: self.setup_seconds,
+            solve_seconds: self.began.elapsed().as_secs_f64(),
+        }
+    }
+}

@@ -1,0 +1,7 @@
+//! Iterations, and what they need to know of a matrix.
+
+pub mod cg;
+pub mod iteration;
+pub mod lanczos;
+pub mod preconditioner;
+pub mod stationary;

@@ -1,0 +1,227 @@
+//! The direct solver of the coarsest level: faer's sparse Cholesky, tested.
+//!
+//! The only file that names faer. Its low-level interface is used because the
+//! high-level one takes its parallelism from a global setting: results would
+//! depend on the number of threads. At these sizes threads gain nothing.
+//! A wrong factor has been reported upstream for large supernodes, so every
+//! factor must solve a known system before it is trusted; LU is the fallback.
+
+use crate::error::Error;
+use crate::sparse::csr::Csr;
+use crate::sparse::dot::norm;
+use crate::sparse::kernels::residual;
+use crate::sparse::noise::noise;
+use faer::dyn_stack::{MemBuffer, MemStack, StackReq};
+use faer::sparse::linalg::cholesky::{LltRef, SymbolicCholesky, factorize_symbolic_cholesky};
+use faer::sparse::linalg::lu::{LuRef, NumericLu, SymbolicLu, factorize_symbolic_lu};
+use faer::sparse::{SparseColMatRef, SymbolicSparseColMatRef};
+use faer::{Conj, MatMut, Par, Side};
+
+/// The most unknowns accepted: about a second of factoring.
+pub(crate) const LARGEST: usize = 20_000;
+
+/// The largest relative residual of the test system.
+const TOLERANCE: f64 = 1e-8;
+
+impl std::fmt::Debug for CoarseSolver {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        write!(f, "CoarseSolver({} unknowns)", self.matrix.rows())
+    }
+}
+
+/// A factored matrix with all memory that solving needs.
+pub(crate) struct CoarseSolver {
+    matrix: Csr<f64>,
+    factor: Factor,
+    workspace: MemBuffer,
+    correction: Vec<f64>,
+}
+
+/// In which order Cholesky's factorisation eliminates, and where its factor has
+/// entries.
+pub(crate) type Elimination = SymbolicCholesky<u32>;
+
+enum Factor {
+    Cholesky(Elimination, Vec<f64>),
+    Lu(SymbolicLu<u32>, NumericLu<u32, f64>),
+}
+
+impl CoarseSolver {
+    /// Factors a symmetric positive definite matrix. Its elimination order may be
+    /// known from another matrix with the same pattern.
+    ///
+    /// # Errors
+    /// [`Error::CoarsestTooLarge`]; [`Error::CoarsestSingular`] if neither
+    /// Cholesky nor LU solves the test system.
+    pub(crate) fn new(matrix: Csr<f64>, known: Option<Elimination>) -> Result<Self, Error> {
+        let unknowns = matrix.rows();
+        if unknowns > LARGEST {
+            return Err(Error::CoarsestTooLarge { unknowns, limit: LARGEST });
+        }
+        // Fewer than 2^32 entries: 20,000 rows cannot hold more.
+        let offsets: Vec<u32> = (0..=unknowns).map(|row| matrix.offset(row) as u32).collect();
+        let pattern = SymbolicSparseColMatRef::new_checked(
+            unknowns,
+            unknowns,
+            &offsets,
+            None,
+            matrix.indices(),
+        );
+        // Rows of a symmetric matrix are its columns.
+        let columns = SparseColMatRef::new(pattern, matrix.values());
+        let factored = cholesky(columns, known).and_then(|made| Self::tested(&matrix, made));
+        let cholesky = match factored {
+            Ok(solver) => return Ok(solver),
+            Err(reason) => reason,
+        };
+        lu(columns)
+            .and_then(|made| Self::tested(&matrix, made))
+            .map_err(|lu| Error::CoarsestSingular { unknowns, cholesky, lu })
+    }
+
+    /// Wraps a factor if it solves a system with known noise on the right.
+    fn tested(matrix: &Csr<f64>, (factor, space): (Factor, StackReq)) -> Result<Self, String> {
+        let n = matrix.rows();
+        let workspace = MemBuffer::try_new(space).map_err(|error| format!("{error:?}"))?;
+        let (matrix, correction) = (matrix.clone(), vec![0.0; n]);
+        let mut solver = Self { matrix, factor, workspace, correction };
+        let (b, mut r) = (noise(n, 2), vec![0.0; n]);
+        let mut x = b.clone();
+        solver.apply_factor(&mut x);
+        residual(&solver.matrix, &x, &b, &mut r);
+        let relative = norm(&r) / norm(&b);
+        if n > 0 && (relative > TOLERANCE || relative.is_nan()) {
+            return Err(format!("relative residual {relative:.1e} on a test system"));
+        }
+        Ok(solver)
+    }
+
+    /// The elimination order, for another matrix; not that of LU, the fallback.
+    pub(crate) fn into_elimination(self) -> Option<Elimination> {
+        match self.factor {
+            Factor::Cholesky(symbolic, _) => Some(symbolic),
+            Factor::Lu(..) => None,
+        }
+    }
+
+    /// The memory of matrix and factor, in bytes; of an LU factor, whose size
+    /// faer does not tell, only that of the matrix.
+    pub(crate) fn bytes(&self) -> usize {
+        let factor = match &self.factor {
+            Factor::Cholesky(_, values) => size_of_val(&**values),
+            Factor::Lu(..) => 0,
+        };
+        self.matrix.bytes() + factor
+    }
+
+    /// x = A⁻¹ b, with one step of iterative refinement.
+    pub(crate) fn solve(&mut self, b: &[f64], x: &mut [f64]) {
+        x.copy_from_slice(b);
+        self.apply_factor(x);
+        let mut correction = std::mem::take(&mut self.correction);
+        residual(&self.matrix, x, b, &mut correction);
+        self.apply_factor(&mut correction);
+        x.iter_mut().zip(&correction).for_each(|(x, c)| *x += c);
+        self.correction = correction;
+    }
+
+    fn apply_factor(&mut self, x: &mut [f64]) {
+        let rows = x.len();
+        let x = MatMut::from_column_major_slice_mut(x, rows, 1);
+        let stack = MemStack::new(&mut self.workspace);
+        match &self.factor {
+            Factor::Cholesky(symbolic, values) => {
+                let factor = LltRef::new(symbolic, values);
+                factor.solve_in_place_with_conj(Conj::No, x, Par::Seq, stack);
+            }
+            Factor::Lu(symbolic, numeric) => {
+                let factor = LuRef::new_unchecked(symbolic, numeric);
+                factor.solve_in_place_with_conj(Conj::No, x, Par::Seq, stack);
+            }
+        }
+    }
+}
+
+/// A factor and the workspace that solving with it needs, or what went wrong.
+type Made = Result<(Factor, StackReq), String>;
+
+fn cholesky(matrix: SparseColMatRef<'_, u32, f64>, known: Option<Elimination>) -> Made {
+    let text = |error: &dyn std::fmt::Debug| format!("{error:?}");
+    let (side, ordering) = (Side::Lower, Default::default());
+    let symbolic = match known {
+        Some(symbolic) => symbolic,
+        None => factorize_symbolic_cholesky(matrix.symbolic(), side, ordering, Default::default())
+            .map_err(|error| text(&error))?,
+    };
+    let space = symbolic.factorize_numeric_llt_scratch::<f64>(Par::Seq, Default::default());
+    let mut memory = MemBuffer::try_new(space).map_err(|error| text(&error))?;
+    let mut values = vec![0.0; symbolic.len_val()];
+    symbolic
+        .factorize_numeric_llt(
+            &mut values,
+            matrix,
+            side,
+            Default::default(),
+            Par::Seq,
+            MemStack::new(&mut memory),
+            Default::default(),
+        )
+        .map_err(|error| text(&error))?;
+    let space = symbolic.solve_in_place_scratch::<f64>(1, Par::Seq);
+    Ok((Factor::Cholesky(symbolic, values), space))
+}
+
+fn lu(matrix: SparseColMatRef<'_, u32, f64>) -> Made {
+    let text = |error: &dyn std::fmt::Debug| format!("{error:?}");
+    let symbolic = factorize_symbolic_lu(matrix.symbolic(), Default::default())
+        .map_err(|error| text(&error))?;
+    let space = symbolic.factorize_numeric_lu_scratch::<f64>(Par::Seq, Default::default());
+    let mut memory = MemBuffer::try_new(space).map_err(|error| text(&error))?;
+    let mut numeric = NumericLu::new();
+    symbolic
+        .factorize_numeric_lu(
+            &mut numeric,
+            matrix,
+            Par::Seq,
+            MemStack::new(&mut memory),
+            Default::default(),
+        )
+        .map_err(|error| text(&error))?;
+    let space = symbolic.solve_in_place_scratch::<f64>(1, Par::Seq);
+    Ok((Factor::Lu(symbolic, numeric), space))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::toy::second_difference;
+
+    #[test]
+    fn the_second_difference_is_inverted_exactly() {
+        // (−1, 2, −1) x = 1 has the solution x_i = i (n + 1 − i) / 2.
+        for n in [0usize, 1, 2, 100, 3000] {
+            let mut x = vec![0.0; n];
+            CoarseSolver::new(second_difference(n), None).unwrap().solve(&vec![1.0; n], &mut x);
+            for (i, x) in x.iter().enumerate() {
+                let exact = (i + 1) as f64 * (n - i) as f64 / 2.0;
+                assert!((x / exact - 1.0).abs() < 1e-12);
+            }
+        }
+    }
+
+    #[test]
+    fn an_indefinite_matrix_falls_back_to_lu_and_a_singular_one_is_refused() {
+        let diagonal = |d: [f64; 2]| Csr::new(2, vec![0, 1, 2], vec![0, 1], d.to_vec()).unwrap();
+        let mut solver = CoarseSolver::new(diagonal([2.0, -4.0]), None).unwrap();
+        assert!(matches!(solver.factor, Factor::Lu(..)));
+        let mut x = [0.0; 2];
+        solver.solve(&[1.0, 1.0], &mut x);
+        assert_eq!(x, [0.5, -0.25]);
+        let ones = Csr::new(2, vec![0, 2, 4], vec![0, 1, 0, 1], vec![1.0; 4]).unwrap();
+        assert!(matches!(CoarseSolver::new(ones, None), Err(Error::CoarsestSingular { .. })));
+        assert!(matches!(
+            CoarseSolver::new(second_difference(LARGEST + 1), None),
+            Err(Error::CoarsestTooLarge { limit: LARGEST, .. })
+        ));
+    }
+}

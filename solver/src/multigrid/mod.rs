@@ -1,0 +1,21 @@
+//! Geometric multigrid from matrices alone.
+//!
+//! ```text
+//! matrix, transfers ─▶ input ─▶ setup: level by level, Galerkin products down to coarse ─▶ cycle
+//! ```
+
+pub mod coarse;
+pub mod cycle;
+pub mod galerkin;
+pub mod input;
+pub mod level;
+pub mod options;
+pub mod projectors;
+pub mod setup;
+pub mod smoothed_prolongation;
+pub mod smoother;
+pub mod summary;
+pub mod traffic;
+pub mod transfer;
+pub mod two_parents;
+pub mod weights;

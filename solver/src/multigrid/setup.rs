@@ -1,0 +1,463 @@
+//! Geometric multigrid from matrices alone.
+
+use crate::error::{Error, check_finite, check_size};
+use crate::krylov::preconditioner::Preconditioner;
+use crate::multigrid::coarse::CoarseSolver;
+use crate::multigrid::cycle::{Coarsest, Cycle};
+use crate::multigrid::input::{AnyTransfer, SetupInput};
+use crate::multigrid::level::Level;
+use crate::multigrid::options::{MultigridOptions, Precision};
+use crate::multigrid::projectors::Projectors;
+use crate::multigrid::smoother::diagonal::Diagonal;
+use crate::multigrid::smoother::level_smoother::Grouping;
+use crate::multigrid::summary::LevelSummary;
+use crate::multigrid::traffic::{Traffic, cycle_bytes, measure};
+use crate::multigrid::transfer::Transfer;
+use crate::sparse::blocks::expand_blocks;
+use crate::sparse::csr::Csr;
+use crate::sparse::dot::largest;
+use crate::sparse::entry::{Entry, Nodal};
+use crate::sparse::pattern::Pattern;
+use std::borrow::Cow;
+use std::sync::Arc;
+use std::time::Instant;
+
+/// Levels from a matrix and prolongations, and a cycle over them.
+///
+/// Coarse matrices are Galerkin products Pᵀ A P unless given; the coarsest level is solved
+/// directly. Prints itself as a table of its levels.
+pub struct Multigrid<E: Entry = f64> {
+    cycle: AnyCycle<E>,
+    /// Which directions of each level's rows are free, finest first.
+    projectors: Vec<Projectors<E>>,
+    /// Where each level's matrix has entries, finest first.
+    patterns: Vec<Arc<Pattern>>,
+    summaries: Vec<LevelSummary>,
+    options: MultigridOptions,
+    setup_seconds: f64,
+    /// Whether all coarse matrices are Galerkin products of plain prolongations.
+    keeps_galerkin: bool,
+}
+
+enum AnyCycle<E: Entry> {
+    Single(Cycle<E::Single>),
+    Double(Cycle<E>),
+}
+
+impl<E: Entry<Real = f64>> Multigrid<E> {
+    /// Builds all levels.
+    ///
+    /// `matrix` is the finest, symmetric positive definite, of numbers or 3 × 3
+    /// blocks. `prolongations` come **finest first**: the first leads from level 1
+    /// to the rows of `matrix` (level 0), a number an entry, which acts on all
+    /// components of a block alike. A level without rows ends the list.
+    ///
+    /// # Errors
+    /// [`Error::Size`] if a prolongation does not fit the level above it,
+    /// [`Error::NotFinite`] or [`Error::Diagonal`] for a senseless matrix,
+    /// [`Error::CoarsestTooLarge`] or [`Error::CoarsestSingular`] for a
+    /// coarsest level that cannot be solved directly, [`Error::Option`].
+    pub fn new(
+        matrix: &Csr<E>,
+        prolongations: Vec<Csr<f64>>,
+        options: &MultigridOptions,
+    ) -> Result<Self, Error> {
+        let unconstrained = vec![Vec::new(); prolongations.len() + 1];
+        Self::constrained(matrix, prolongations, unconstrained, options)
+    }
+
+    /// As [`Multigrid::new`], with rows that are constrained in some directions.
+    ///
+    /// `projectors` has a list for each level, finest first, the coarsest included:
+    /// (row, orthogonal projector Q onto its free directions), rows ascending. The
+    /// matrix must be Q A Q + s (I − Q) with s > 0 there, and right-hand sides
+    /// zero in the constrained directions. Corrections are prolonged by Q P Q.
+    ///
+    /// # Errors
+    /// As [`Multigrid::new`], and [`Error::Projector`].
+    pub fn constrained(
+        matrix: &Csr<E>,
+        prolongations: Vec<Csr<f64>>,
+        projectors: Vec<Vec<(u32, E)>>,
+        options: &MultigridOptions,
+    ) -> Result<Self, Error> {
+        let transfers = prolongations.into_iter().map(Transfer::from).collect();
+        Self::with_transfers(matrix, transfers, projectors, options)
+    }
+
+    /// As [`Multigrid::constrained`], with a choice for each transfer.
+    ///
+    /// # Errors
+    /// As [`Multigrid::constrained`].
+    pub fn with_transfers(
+        matrix: &Csr<E>,
+        transfers: Vec<Transfer<E>>,
+        projectors: Vec<Vec<(u32, E)>>,
+        options: &MultigridOptions,
+    ) -> Result<Self, Error> {
+        let start = Instant::now();
+        options.check()?;
+        check_size("columns of the matrix", matrix.columns(), matrix.rows())?;
+        check_size("lists of projectors", projectors.len(), transfers.len() + 1)?;
+        check_finite("matrix", E::flat(matrix.values()))?;
+        let options = &options.resolved(E::SIZE > 1);
+        let mut multigrid = match options.precision {
+            Precision::Single => {
+                let known = SetupInput::new(matrix, transfers, projectors, options.smoother)?;
+                Self::build(matrix, known, options, AnyCycle::Single)?
+            }
+            Precision::Double => {
+                let known = SetupInput::new(matrix, transfers, projectors, options.smoother)?;
+                Self::build(matrix, known, options, AnyCycle::Double)?
+            }
+        };
+        multigrid.setup_seconds = start.elapsed().as_secs_f64();
+        Ok(multigrid)
+    }
+
+    /// The multigrid of a matrix with other numbers in the same places, for instance
+    /// after a change of material: to the last bit what building it anew gives.
+    ///
+    /// Whatever depends on places and prolongations alone is kept: patterns,
+    /// transposes, colours and domains of rows, the elimination order of the coarsest level. A
+    /// multigrid that fails is lost.
+    ///
+    /// # Errors
+    /// [`Error::Pattern`] if the matrix has entries elsewhere; [`Error::Option`] if a
+    /// prolongation was smoothed or a coarse matrix given, which belong to the old
+    /// numbers; else as [`Multigrid::new`].
+    pub fn updated(self, matrix: &Csr<E>) -> Result<Self, Error> {
+        let start = Instant::now();
+        let Self { cycle, projectors, patterns, options, keeps_galerkin, .. } = self;
+        let is_shared = Arc::ptr_eq(matrix.pattern(), &patterns[0]);
+        if !is_shared && **matrix.pattern() != *patterns[0] {
+            return Err(Error::Pattern);
+        }
+        check_finite("matrix", E::flat(matrix.values()))?;
+        if !keeps_galerkin {
+            let (option, expected) = ("transfers", "Galerkin products of plain prolongations");
+            return Err(Error::Option { option, expected });
+        }
+        let mut multigrid = match cycle {
+            AnyCycle::Single(cycle) => {
+                let known = SetupInput::of(cycle, projectors, patterns);
+                Self::build(matrix, known, &options, AnyCycle::Single)?
+            }
+            AnyCycle::Double(cycle) => {
+                let known = SetupInput::of(cycle, projectors, patterns);
+                Self::build(matrix, known, &options, AnyCycle::Double)?
+            }
+        };
+        multigrid.setup_seconds = start.elapsed().as_secs_f64();
+        Ok(multigrid)
+    }
+
+    /// Levels from the finest to the coarsest, with entries `F` in the cycle.
+    fn build<F: Entry>(
+        matrix: &Csr<E>,
+        known: SetupInput<E, F>,
+        options: &MultigridOptions,
+        any: fn(Cycle<F>) -> AnyCycle<E>,
+    ) -> Result<Self, Error> {
+        let SetupInput { transfers, projectors, mut patterns, elimination, domains } = known;
+        let mut diagonal = Diagonal::new(matrix, 0)?;
+        let scale = scale_to_one(E::flat(&diagonal.entries));
+        let (mut levels, mut summaries) = (Vec::new(), Vec::new());
+        let mut current = Cow::Borrowed(matrix);
+        let keeps_galerkin = transfers.iter().all(AnyTransfer::is_galerkin);
+        let mut groupings = domains.into_iter().map(Grouping::Domains);
+        for (transfer, constrained) in transfers.into_iter().zip(projectors.windows(2)) {
+            let (number, both) = (levels.len(), [&constrained[0], &constrained[1]]);
+            let (mut kept, coarser) = match transfer {
+                AnyTransfer::New(transfer) => transfer.apply((&current, &diagonal), both),
+                AnyTransfer::Kept(kept) => {
+                    let pattern = patterns.get(number + 1);
+                    let product = kept.galerkin((&current, both[0]), both[1], pattern);
+                    (kept, product.expect("only Galerkin products of numbers are kept"))
+                }
+            };
+            if patterns.len() == number + 1 {
+                patterns.push(Arc::clone(coarser.pattern()));
+            }
+            kept.grouping = kept.grouping.or_else(|| groupings.next());
+            let scaled = (&*current, diagonal, scale);
+            let level = Level::<F>::new(scaled, kept, both, options);
+            summaries.push(LevelSummary {
+                bytes: level.bytes(),
+                prolongation_nonzeros: Some(level.prolongation.multiplications()),
+                largest_eigenvalue: level.smoothing.largest_eigenvalue(),
+                ..LevelSummary::of(&*current)
+            });
+            levels.push(level);
+            current = Cow::Owned(coarser);
+            diagonal = Diagonal::new(&current, levels.len())?;
+        }
+        let solver = CoarseSolver::new(expand_blocks(&current, scale), elimination)?;
+        summaries.push(LevelSummary { bytes: solver.bytes(), ..LevelSummary::of(&*current) });
+        let coarsest = Coarsest::new(solver, current.rows() * E::SIZE);
+        let cycle = any(Cycle::new(matrix.rows(), levels, coarsest, options.shape, scale));
+        let (options, setup_seconds) = (*options, 0.0);
+        Ok(Self { cycle, projectors, patterns, summaries, options, setup_seconds, keeps_galerkin })
+    }
+
+    /// Full multigrid for A x = `rhs`: the coarsest level is solved; on each finer
+    /// one, `cycles` cycles improve the solution of the coarser.
+    ///
+    /// `transfers` bring solutions (not corrections) to the finer level, **finest
+    /// first**; where the list ends the prolongation does. Right-hand sides of
+    /// coarser levels are Pᵀ times the finer one. Prescribed values other than zero
+    /// need a smooth lift first, see [`smooth_lift`](crate::smooth_lift).
+    ///
+    /// One cycle a level reaches the accuracy of the discretisation where a cycle
+    /// reduces errors well; see [`quadratic_matrix`](octruss_mesh::quadratic_matrix).
+    ///
+    /// # Errors
+    /// [`Error::Size`] if `rhs` or a transfer does not fit; [`Error::NotFinite`].
+    pub fn full_multigrid(
+        &mut self,
+        rhs: &[E::Nodal],
+        transfers: &[Csr<f64>],
+        cycles: usize,
+    ) -> Result<Vec<E::Nodal>, Error> {
+        check_finite("right-hand side", Nodal::flat(rhs))?;
+        let rows = |level: &LevelSummary| level.unknowns / E::SIZE;
+        let rows: Vec<usize> = self.summaries.iter().map(rows).collect();
+        check_size("entries of the right-hand side", rhs.len(), rows[0])?;
+        let most = rows.len() - 1;
+        for (transfer, sizes) in transfers.iter().take(most).zip(rows.windows(2)) {
+            check_size("rows of a transfer", transfer.rows(), sizes[0])?;
+            check_size("columns of a transfer", transfer.columns(), sizes[1])?;
+        }
+        let mut x = vec![E::Nodal::default(); rhs.len()];
+        let (r, z) = (Nodal::flat(rhs), Nodal::flat_mut(&mut x));
+        match &mut self.cycle {
+            AnyCycle::Single(cycle) => cycle.full(r, transfers, cycles, z),
+            AnyCycle::Double(cycle) => cycle.full(r, transfers, cycles, z),
+        }
+        Ok(x)
+    }
+
+    /// Measures each kernel of the cycle: bytes, seconds, and how they compare with
+    /// copying memory, all medians of `repeats` interleaved runs. A W-cycle is
+    /// measured level by level as if it were a V-cycle.
+    pub fn traffic(&mut self, repeats: usize) -> Traffic {
+        let unknowns = self.summaries[0].unknowns;
+        match &mut self.cycle {
+            AnyCycle::Single(cycle) => measure(cycle, unknowns, repeats),
+            AnyCycle::Double(cycle) => measure(cycle, unknowns, repeats),
+        }
+    }
+}
+
+impl<E: Entry> Multigrid<E> {
+    /// The bytes that one cycle must move, from the sizes of its arrays, the direct solve
+    /// left out. A W-cycle visits level k 2ᵏ times.
+    pub fn cycle_bytes(&self) -> usize {
+        let unknowns = self.summaries[0].unknowns;
+        let visits = |level| self.options.visits(level);
+        match &self.cycle {
+            AnyCycle::Single(cycle) => cycle_bytes(&cycle.levels, unknowns, visits),
+            AnyCycle::Double(cycle) => cycle_bytes(&cycle.levels, unknowns, visits),
+        }
+    }
+
+    /// What each level holds, finest first.
+    pub fn levels(&self) -> &[LevelSummary] {
+        &self.summaries
+    }
+
+    /// The unknowns of all levels over those of the finest.
+    pub fn grid_complexity(&self) -> f64 {
+        self.over_finest(|level| level.unknowns)
+    }
+
+    /// The nonzeros of all matrices over those of the finest.
+    pub fn operator_complexity(&self) -> f64 {
+        self.over_finest(|level| level.nonzeros)
+    }
+
+    fn over_finest(&self, count: impl Fn(&LevelSummary) -> usize) -> f64 {
+        let sum: usize = self.summaries.iter().map(&count).sum();
+        sum as f64 / count(&self.summaries[0]).max(1) as f64
+    }
+
+    /// The memory of all levels, in bytes.
+    pub fn bytes(&self) -> usize {
+        self.summaries.iter().map(|level| level.bytes).sum()
+    }
+
+    /// The work of one cycle in products with the finest matrix: on each
+    /// smoothed level the nonzeros times (smoothing products + 1 residual, unless
+    /// sweeps leave it), and twice those of the prolongation. (The first Chebyshev step of a
+    /// cycle is counted although, from zero, it needs no product.) A W-cycle
+    /// visits level k 2ᵏ times.
+    pub fn work_units(&self) -> f64 {
+        let passes = self.options.products();
+        let smoothed = &self.summaries[..self.summaries.len() - 1];
+        let work = |(k, level): (usize, &LevelSummary)| {
+            let visit = passes * level.nonzeros + 2 * level.prolongation_nonzeros.unwrap_or(0);
+            self.options.visits(k) as f64 * visit as f64
+        };
+        let sum: f64 = smoothed.iter().enumerate().map(work).sum();
+        sum / self.summaries[0].nonzeros.max(1) as f64
+    }
+
+    /// The choices it was built with, and what `Auto` stood for.
+    pub fn options(&self) -> &MultigridOptions {
+        &self.options
+    }
+}
+
+impl<E: Entry<Real = f64>> Preconditioner<E::Nodal> for Multigrid<E> {
+    fn apply(&mut self, r: &[E::Nodal], z: &mut [E::Nodal]) {
+        let (r, z) = (Nodal::flat(r), Nodal::flat_mut(z));
+        match &mut self.cycle {
+            AnyCycle::Single(cycle) => cycle.apply(r, z),
+            AnyCycle::Double(cycle) => cycle.apply(r, z),
+        }
+    }
+
+    fn setup_seconds(&self) -> f64 {
+        self.setup_seconds
+    }
+
+    fn is_symmetric(&self) -> bool {
+        self.options.is_symmetric()
+    }
+}
+
+/// The power of two, so that nothing is rounded, that makes the largest entry of
+/// a diagonal about 1: in other units than these a matrix may hold nothing but
+/// infinities or zeros in single precision.
+fn scale_to_one(diagonal: &[f64]) -> f64 {
+    match largest(diagonal) {
+        0.0 => 1.0,
+        top => 2.0_f64.powi(-(top.log2().floor() as i32)),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::krylov::cg::conjugate_gradients;
+    use crate::krylov::iteration::SolveOptions;
+    use crate::krylov::stationary::mean_reduction;
+    use crate::multigrid::options::CycleShape;
+    use crate::multigrid::options::Smoother;
+    use crate::sparse::noise::noise;
+    use crate::toy::{interpolation, second_difference};
+
+    /// The second difference on 2^`levels` − 1 points, down to one point.
+    fn interval(levels: u32, options: &MultigridOptions) -> (Csr<f64>, Multigrid) {
+        let points = |level: u32| (1usize << level) - 1;
+        let matrix = second_difference(points(levels));
+        let prolongations = (1..levels).rev().map(|l| interpolation(points(l))).collect();
+        let multigrid = Multigrid::new(&matrix, prolongations, options).unwrap();
+        (matrix, multigrid)
+    }
+
+    #[test]
+    fn the_reduction_on_an_interval_does_not_depend_on_the_level() {
+        let double = MultigridOptions { precision: Precision::Double, ..Default::default() };
+        let gauss_seidel = MultigridOptions { smoother: Smoother::GaussSeidel, ..double };
+        for (options, bound) in [(double, 0.12), (gauss_seidel, 0.2)] {
+            for levels in [4, 7, 10, 13] {
+                let (matrix, mut multigrid) = interval(levels, &options);
+                let reduction = mean_reduction(&matrix, &mut multigrid, 20).unwrap();
+                assert!(reduction < bound, "{levels} levels: {reduction}");
+            }
+        }
+    }
+
+    #[test]
+    fn the_cycle_is_symmetric() {
+        let double = MultigridOptions { precision: Precision::Double, ..Default::default() };
+        // The last two with four domains on the finest level.
+        for (smoother, shape, levels) in [
+            (Smoother::GaussSeidel, CycleShape::V, 8),
+            (Smoother::CHEBYSHEV, CycleShape::V, 8),
+            (Smoother::HybridGaussSeidel, CycleShape::V, 14),
+            (Smoother::HybridGaussSeidel, CycleShape::W, 14),
+        ] {
+            let options = MultigridOptions { smoother, shape, before: 2, after: 2, ..double };
+            let (matrix, mut multigrid) = interval(levels, &options);
+            let [u, v] = [4, 5].map(|seed| noise(matrix.rows(), seed));
+            let [mut mu, mut mv] = [u.clone(), v.clone()];
+            multigrid.apply(&u, &mut mu);
+            multigrid.apply(&v, &mut mv);
+            let (left, right) = (crate::dot(&mu, &v), crate::dot(&u, &mv));
+            let size = crate::norm(&mu) * crate::norm(&v);
+            assert!((left - right).abs() < 1e-13 * size, "{left} {right}");
+        }
+    }
+
+    #[test]
+    fn single_precision_takes_the_same_iterations() {
+        let double = MultigridOptions { precision: Precision::Double, ..Default::default() };
+        let goal = SolveOptions { tolerance: 1e-12, ..Default::default() };
+        let iterations = [double, MultigridOptions::default()].map(|options| {
+            let (matrix, mut multigrid) = interval(8, &options);
+            let rhs = noise(matrix.rows(), 6);
+            conjugate_gradients(&matrix, &rhs, &mut multigrid, &goal).unwrap().1.iterations
+        });
+        assert_eq!(iterations[0], iterations[1]);
+    }
+
+    #[test]
+    fn units_do_not_change_the_iterations() {
+        // Beyond the largest and below the smallest numbers of single precision.
+        let iterations = [1e-46, 1.0, 1e39].map(|coefficient| {
+            let a = second_difference(255);
+            let a = a.with_values(a.values().iter().map(|v| coefficient * v).collect());
+            let prolongations = [127, 63, 31, 15, 7, 3, 1].map(interpolation).into();
+            let mut multigrid = Multigrid::new(&a, prolongations, &Default::default()).unwrap();
+            let (rhs, goal) = (noise(255, 6), SolveOptions::default());
+            conjugate_gradients(&a, &rhs, &mut multigrid, &goal).unwrap().1.iterations
+        });
+        assert_eq!(iterations, [iterations[1]; 3]);
+    }
+
+    #[test]
+    fn the_table_adds_up() {
+        let (matrix, multigrid) = interval(3, &MultigridOptions::default());
+        let unknowns: Vec<usize> = multigrid.levels().iter().map(|l| l.unknowns).collect();
+        let nonzeros: Vec<usize> = multigrid.levels().iter().map(|l| l.nonzeros).collect();
+        assert_eq!((unknowns, nonzeros), (vec![7, 3, 1], vec![19, 7, 1]));
+        assert_eq!(multigrid.grid_complexity(), 11.0 / 7.0);
+        assert_eq!(multigrid.operator_complexity(), 27.0 / 19.0);
+        // Seven passes over two smoothed levels, and P with 9 and 3 entries twice.
+        assert_eq!(multigrid.work_units(), (7.0 * 26.0 + 2.0 * 12.0) / 19.0);
+        let table = multigrid.to_string();
+        assert_eq!(table.lines().count(), 5);
+        assert!(table.contains("direct") && table.contains("operator complexity 1.421"));
+        assert_eq!(matrix.rows(), 7);
+    }
+
+    #[test]
+    fn senseless_input_is_refused() {
+        let a = second_difference(7);
+        let new = |matrix: &Csr<f64>, p: Vec<Csr<f64>>| {
+            Multigrid::new(matrix, p, &MultigridOptions::default())
+        };
+        let not_fitting = new(&a, vec![interpolation(4)]);
+        assert!(matches!(not_fitting, Err(Error::Size { found: 9, expected: 7, .. })));
+        let negative = a.with_values(a.values().iter().map(|v| -v).collect());
+        let refused = new(&negative, vec![]);
+        assert!(matches!(refused, Err(Error::Diagonal { level: 0, row: 0, value: -2.0 })));
+        let mut values = a.values().to_vec();
+        values[5] = f64::NAN;
+        let refused = new(&a.with_values(values), vec![]);
+        assert!(matches!(refused, Err(Error::NotFinite { index: 5, .. })));
+        let no_sweeps = MultigridOptions { before: 0, after: 0, ..Default::default() };
+        assert!(matches!(Multigrid::new(&a, vec![], &no_sweeps), Err(Error::Option { .. })));
+    }
+
+    #[test]
+    fn a_level_without_unknowns_ends_the_list() {
+        let empty = Csr::new(0, vec![0; 4], vec![], vec![]).unwrap();
+        let prolongations = vec![interpolation(3), empty];
+        let a = second_difference(7);
+        let multigrid = Multigrid::new(&a, prolongations, &Default::default()).unwrap();
+        assert_eq!(multigrid.levels().len(), 2);
+    }
+}

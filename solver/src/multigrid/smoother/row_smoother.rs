@@ -1,0 +1,153 @@
+//! The smoothers that go through whole rows of a level's matrix.
+
+use crate::krylov::lanczos::largest_eigenvalue;
+use crate::multigrid::options::{MultigridOptions, Smoother};
+use crate::multigrid::projectors::Projectors;
+use crate::multigrid::smoother::chebyshev::Chebyshev;
+use crate::multigrid::smoother::colouring::Colouring;
+use crate::multigrid::smoother::diagonal::Diagonal;
+use crate::multigrid::smoother::gauss_seidel::{Order, coloured_sweep, sweep};
+use crate::sparse::csr::{Csr, cast_all};
+use crate::sparse::entry::Entry;
+use crate::sparse::kernels::residual;
+
+/// The estimated largest eigenvalue is from below by a few percent; the damped
+/// interval ends this much higher, unless a bound says that it need not. (Just
+/// beyond its end a Chebyshev polynomial still damps.)
+const SAFETY: f64 = 1.05;
+
+/// A matrix and its smoother with its data and work vectors.
+pub(crate) struct RowSmoother<E: Entry> {
+    matrix: Csr<E>,
+    inverse_diagonal: Vec<E>,
+    kind: Kind<E>,
+    /// The estimate for D⁻¹A, where the smoother needs one.
+    pub(crate) largest_eigenvalue: Option<f64>,
+}
+
+enum Kind<E: Entry> {
+    Polynomial(Chebyshev<E>),
+    Lexicographic,
+    Coloured(Colouring, Vec<E::Nodal>),
+}
+
+impl<E: Entry> RowSmoother<E> {
+    /// The smoother of `scale` times a matrix, in the cycle's precision. The colours of
+    /// its rows may be known.
+    pub(crate) fn new<D: Entry<Real = f64>>(
+        (matrix, diagonal, scale): (&Csr<D>, Diagonal<D>, f64),
+        projectors: &Projectors<D>,
+        options: &MultigridOptions,
+        known: Option<Colouring>,
+    ) -> Self {
+        let n = matrix.rows();
+        let rounded = matrix.cast_scaled(scale);
+        let diagonal = match options.smoother {
+            Smoother::Chebyshev { .. } => diagonal.of_kind(options.diagonal, projectors),
+            Smoother::L1Jacobi => diagonal.plus_rows(matrix, options.diagonal, projectors),
+            Smoother::GaussSeidel
+            | Smoother::ColouredGaussSeidel
+            | Smoother::HybridGaussSeidel
+            | Smoother::Auto => diagonal,
+        };
+        let inverse_diagonal: Vec<E> = cast_all(&diagonal.inverses, 1.0 / scale);
+        let mut largest = None;
+        let kind = match options.smoother {
+            Smoother::Chebyshev { degree, lower } => {
+                let entries: Vec<E> = cast_all(&diagonal.entries, scale);
+                let end = largest_eigenvalue(&rounded, &entries, &inverse_diagonal);
+                largest = Some(end.estimate);
+                let upper = (SAFETY * end.estimate).min(end.bound);
+                Kind::Polynomial(Chebyshev::new(n, degree, lower * upper, upper))
+            }
+            Smoother::L1Jacobi => Kind::Polynomial(Chebyshev::plain(n)),
+            Smoother::ColouredGaussSeidel => {
+                let colouring = known.unwrap_or_else(|| Colouring::greedy(matrix));
+                let buffer = vec![E::Nodal::default(); colouring.largest()];
+                Kind::Coloured(colouring, buffer)
+            }
+            // By domains is another's business; `Auto` was resolved.
+            Smoother::GaussSeidel | Smoother::HybridGaussSeidel | Smoother::Auto => {
+                Kind::Lexicographic
+            }
+        };
+        Self { matrix: rounded, inverse_diagonal, kind, largest_eigenvalue: largest }
+    }
+
+    /// The colours of the rows, where they have some.
+    pub(crate) fn into_colouring(self) -> Option<Colouring> {
+        match self.kind {
+            Kind::Coloured(colouring, _) => Some(colouring),
+            Kind::Polynomial(_) | Kind::Lexicographic => None,
+        }
+    }
+
+    /// One sweep for A x = b. With `from_zero`, `x` counts as zero whatever it holds.
+    pub(crate) fn sweep(
+        &mut self,
+        (b, x): (&[E::Nodal], &mut Vec<E::Nodal>),
+        order: Order,
+        from_zero: bool,
+    ) {
+        let (matrix, inverse_diagonal) = (&self.matrix, &self.inverse_diagonal);
+        if from_zero && !matches!(self.kind, Kind::Polynomial(_)) {
+            x.fill(E::Nodal::default());
+        }
+        match &mut self.kind {
+            Kind::Polynomial(chebyshev) => {
+                chebyshev.smooth(matrix, inverse_diagonal, (b, x), from_zero);
+            }
+            Kind::Lexicographic => sweep(matrix, inverse_diagonal, b, x, order),
+            Kind::Coloured(colouring, buffer) => {
+                let rows = (&*colouring, &mut **buffer);
+                coloured_sweep((matrix, inverse_diagonal), rows, (b, x), order);
+            }
+        }
+    }
+
+    /// The residual r = b − A x.
+    pub(crate) fn residual(&self, b: &[E::Nodal], x: &[E::Nodal], r: &mut [E::Nodal]) {
+        residual(&self.matrix, x, b, r);
+    }
+
+    /// The memory of its data and work vectors, in bytes.
+    pub(crate) fn bytes(&self) -> usize {
+        let kind = match &self.kind {
+            Kind::Polynomial(chebyshev) => chebyshev.bytes(),
+            Kind::Lexicographic => 0,
+            Kind::Coloured(colouring, buffer) => colouring.bytes() + size_of_val(&**buffer),
+        };
+        self.matrix.bytes() + size_of_val(&*self.inverse_diagonal) + kind
+    }
+
+    /// The bytes that one sweep moves, from the sizes of its arrays.
+    /// From zero a polynomial saves its first product.
+    fn sweep_bytes(&self, from_zero: bool) -> usize {
+        let matrix = &self.matrix;
+        let (diagonal, vector) =
+            (size_of_val(&*self.inverse_diagonal), matrix.rows() * size_of::<E::Nodal>());
+        match &self.kind {
+            Kind::Polynomial(chebyshev) => {
+                // Reads x, b and d, writes d and the next x; the first step from
+                // zero reads b and writes d and x.
+                let step = matrix.bytes() + diagonal + 5 * vector;
+                let first = if from_zero { diagonal + 3 * vector } else { step };
+                first + (chebyshev.degree() - 1) * step
+            }
+            Kind::Lexicographic => matrix.bytes() + diagonal + 3 * vector,
+            Kind::Coloured(colouring, _) => {
+                matrix.bytes() + diagonal + 5 * vector + colouring.bytes()
+            }
+        }
+    }
+
+    /// The bytes that some sweeps move.
+    pub(crate) fn sweeps_bytes(&self, count: usize, from_zero: bool) -> usize {
+        (0..count).map(|k| self.sweep_bytes(from_zero && k == 0)).sum()
+    }
+
+    /// The bytes that a residual moves.
+    pub(crate) fn residual_bytes(&self) -> usize {
+        self.matrix.bytes() + 3 * self.matrix.rows() * size_of::<E::Nodal>()
+    }
+}

@@ -21,11 +21,11 @@ use std::borrow::Borrow;
 /// same problem assembled there; `transfers`, one fewer than levels, carry values at
 /// all vertices. Both lists have the **coarsest first**.
 ///
-/// With the lift g, [`Multigrid::full_multigrid`](crate::Multigrid::full_multigrid)
+/// With the lift g, [`Multigrid::full_multigrid`](octruss_solver::Multigrid::full_multigrid)
 /// of the right-hand side b − A g gives what is to be added to g.
 ///
 /// # Errors
-/// [`Error::Size`] if the levels, the transfers and `coarsest` do not fit together.
+/// [`octruss_solver::Error::Size`] if the levels, the transfers and `coarsest` do not fit together.
 pub fn smooth_lift<E: Entry<Real = f64>>(
     coarsest: &[E::Nodal],
     transfers: &[impl Borrow<SubdivisionMatrix>],

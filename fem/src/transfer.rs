@@ -12,7 +12,7 @@ use octruss_solver::{Csr, build_rows, check_size};
 /// what missing weights mean. (Renormalised rows halve the convergence rate.)
 ///
 /// # Errors
-/// [`Error::Size`] if the matrix does not lead from the coarse to the fine vertices.
+/// [`octruss_solver::Error::Size`] if the matrix does not lead from the coarse to the fine vertices.
 pub fn restrict_to_free(
     matrix: &SubdivisionMatrix,
     fine: &Dofs,

@@ -41,7 +41,7 @@ impl VectorSystem {
     /// The displacement of each vertex from a solution: see [`Constraints::expand`].
     ///
     /// # Errors
-    /// [`Error::Size`] unless `x` has a vector for each unknown.
+    /// [`octruss_solver::Error::Size`] unless `x` has a vector for each unknown.
     pub fn expand(&self, x: &[[f64; 3]]) -> Result<Vec<[f64; 3]>, Error> {
         self.constraints.expand(x)
     }
@@ -53,8 +53,8 @@ impl VectorSystem {
 /// [`Error::UnknownSurface`], [`Error::DetachedSurface`], [`Error::InnerSurface`]
 /// and [`Error::UnknownRegion`] for data without a place; [`Error::Coefficient`],
 /// [`Error::SurfaceCoefficient`], [`Error::BoundaryValue`], [`Error::Load`] and
-/// [`Error::NotFinite`] for senseless numbers; [`Error::RigidModes`] if a
-/// connected part of the mesh can move as a rigid body; [`Error::Size`] if the
+/// [`octruss_solver::Error::NotFinite`] for senseless numbers; [`Error::RigidModes`] if a
+/// connected part of the mesh can move as a rigid body; [`octruss_solver::Error::Size`] if the
 /// topology belongs to another mesh.
 pub fn assemble_elasticity(
     mesh: &TetMesh,

@@ -33,7 +33,7 @@ impl System {
     /// A value for each vertex from a solution `x`: see [`Dofs::expand`].
     ///
     /// # Errors
-    /// [`Error::Size`] unless `x` has one entry for each unknown.
+    /// [`octruss_solver::Error::Size`] unless `x` has one entry for each unknown.
     pub fn expand(&self, x: &[f64]) -> Result<Vec<f64>, Error> {
         self.dofs.expand(x)
     }
@@ -45,9 +45,9 @@ impl System {
 /// [`Error::UnknownSurface`], [`Error::DetachedSurface`] and
 /// [`Error::UnknownRegion`] for data without a place; [`Error::Coefficient`],
 /// [`Error::SurfaceCoefficient`], [`Error::BoundaryValue`], [`Error::Load`] and
-/// [`Error::NotFinite`] for senseless numbers; [`Error::NothingFixed`] if a
+/// [`octruss_solver::Error::NotFinite`] for senseless numbers; [`Error::NothingFixed`] if a
 /// connected part of the mesh has neither a prescribed value nor a Robin
-/// condition; [`Error::Size`] if the topology belongs to another mesh.
+/// condition; [`octruss_solver::Error::Size`] if the topology belongs to another mesh.
 pub fn assemble(mesh: &TetMesh, topology: &Topology, problem: &Poisson) -> Result<System, Error> {
     check_size("tets of the topology", topology.tet_edges().len(), mesh.tets().len())?;
     check_size("vertices of the topology", topology.vertex_count(), mesh.points().len())?;

@@ -79,7 +79,7 @@ impl Constraints {
     /// is.
     ///
     /// # Errors
-    /// [`Error::Size`] unless `x` has a vector for each unknown.
+    /// [`octruss_solver::Error::Size`] unless `x` has a vector for each unknown.
     pub fn expand(&self, x: &[[f64; 3]]) -> Result<Vec<[f64; 3]>, Error> {
         check_size("vectors of a solution", x.len(), self.dofs.unknowns())?;
         let mut all = vec![[0.0; 3]; self.dofs.vertices()];

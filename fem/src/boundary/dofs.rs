@@ -115,7 +115,7 @@ impl Dofs {
     /// elsewhere.
     ///
     /// # Errors
-    /// [`Error::Size`] unless `x` has one entry for each unknown.
+    /// [`octruss_solver::Error::Size`] unless `x` has one entry for each unknown.
     pub fn expand(&self, x: &[f64]) -> Result<Vec<f64>, Error> {
         check_size("entries of a solution", x.len(), self.free.len())?;
         let mut all = self.values.clone();

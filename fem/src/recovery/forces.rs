@@ -28,7 +28,7 @@ impl Forces {
     /// The forces at a displacement with these stresses.
     ///
     /// # Errors
-    /// [`Error::Size`] unless there is a displacement for each vertex and a stress
+    /// [`octruss_solver::Error::Size`] unless there is a displacement for each vertex and a stress
     /// for each tet; those of the problem's assembly.
     pub fn new(
         (mesh, topology): (&TetMesh, &Topology),

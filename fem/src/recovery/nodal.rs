@@ -33,7 +33,7 @@ impl<'a> Recovery<'a> {
     /// The mean at each vertex; NaN at vertices of no tet that takes part.
     ///
     /// # Errors
-    /// [`Error::Size`] unless there is one value for each tet.
+    /// [`octruss_solver::Error::Size`] unless there is one value for each tet.
     pub fn at_vertices<const K: usize>(&self, values: &[[f64; K]]) -> Result<Vec<[f64; K]>, Error> {
         check_size("values of tets", values.len(), self.weights.len())?;
         let weighted = |tet: usize| [values[tet].map(|value| self.weights[tet] * value); 4];

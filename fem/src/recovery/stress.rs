@@ -20,7 +20,7 @@ pub(crate) const COMPONENTS: [(usize, usize); 6] = [(0, 0), (1, 1), (2, 2), (0, 
 /// The strain of each tet from the displacement of each vertex.
 ///
 /// # Errors
-/// [`Error::Size`] unless there is one displacement for each vertex.
+/// [`octruss_solver::Error::Size`] unless there is one displacement for each vertex.
 pub fn strains(mesh: &TetMesh, displacement: &[[f64; 3]]) -> Result<Vec<[f64; 6]>, Error> {
     check_size("displacements", displacement.len(), mesh.points().len())?;
     Ok(for_tets(mesh, |tet| {
@@ -33,7 +33,7 @@ pub fn strains(mesh: &TetMesh, displacement: &[[f64; 3]]) -> Result<Vec<[f64; 6]
 /// The stress of each tet, λ tr(ε) I + 2 μ ε, from its strain.
 ///
 /// # Errors
-/// [`Error::Size`] unless there is one strain for each tet.
+/// [`octruss_solver::Error::Size`] unless there is one strain for each tet.
 pub fn stresses(
     mesh: &TetMesh,
     problem: &Elasticity,

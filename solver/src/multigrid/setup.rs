@@ -206,10 +206,10 @@ impl<E: Entry<Real = f64>> Multigrid<E> {
     /// `transfers` bring solutions (not corrections) to the finer level, **finest
     /// first**; where the list ends the prolongation does. Right-hand sides of
     /// coarser levels are Pᵀ times the finer one. Prescribed values other than zero
-    /// need a smooth lift first, see [`smooth_lift`](crate::smooth_lift).
+    /// need a smooth lift first: solve for what a smooth extension of them leaves.
     ///
     /// One cycle a level reaches the accuracy of the discretisation where a cycle
-    /// reduces errors well; see [`quadratic_matrix`](octruss_mesh::quadratic_matrix).
+    /// reduces errors well and transfers are of higher order than prolongations.
     ///
     /// # Errors
     /// [`Error::Size`] if `rhs` or a transfer does not fit; [`Error::NotFinite`].

@@ -50,7 +50,7 @@ pub fn main() -> Result<(), Box<dyn std::error::Error>> {
     let projectors = held.iter().rev().map(Constraints::projectors).collect();
     // Chebyshev polynomials take fewer iterations than the default for elasticity, whose
     // iterations cost less.
-    let options = MultigridOptions { smoother: Smoother::CHEBYSHEV, ..Default::default() };
+    let options = MultigridOptions { smoother: Some(Smoother::CHEBYSHEV), ..Default::default() };
     let mut multigrid =
         Multigrid::constrained(&system.matrix, prolongations, projectors, &options)?;
     println!("{multigrid}");

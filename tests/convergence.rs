@@ -87,9 +87,9 @@ impl Study {
         self.matrices(1, Scheme::Linear).into_iter().chain(quadratic).collect()
     }
 
-    /// What matrices are between free unknowns, finest first.
+    /// What matrices are between free unknowns, coarsest first.
     fn restricted(&self, matrices: &[SubdivisionMatrix]) -> Vec<Csr<f64>> {
-        let pairs = matrices.iter().zip(self.systems.windows(2)).rev();
+        let pairs = matrices.iter().zip(self.systems.windows(2));
         pairs.map(|(m, pair)| restrict_to_free(m, &pair[1].dofs, &pair[0].dofs).unwrap()).collect()
     }
 

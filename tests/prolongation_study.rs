@@ -18,7 +18,7 @@ use octruss_solver::{
 
 /// V(1,1) with Gauss–Seidel, by blocks where there are blocks, in double precision.
 const V11: MultigridOptions = MultigridOptions {
-    smoother: Smoother::GaussSeidel,
+    smoother: Some(Smoother::GaussSeidel),
     diagonal: DiagonalKind::Block,
     shape: octruss_solver::CycleShape::V,
     before: 1,
@@ -85,7 +85,7 @@ fn elastic(hierarchy: Hierarchy) -> Study<[[f64; 3]; 3]> {
         levels.map(|(m, t)| assemble_elasticity(m, t, &problem).unwrap()).collect();
     let constraints = systems.iter().map(|system| &system.constraints);
     let dofs = constraints.clone().map(|held| held.dofs().clone()).collect();
-    let projectors = constraints.map(Constraints::projectors).rev().collect();
+    let projectors = constraints.map(Constraints::projectors).collect();
     let matrix = systems.pop().unwrap().matrix;
     let coarse_matrices = systems.into_iter().map(|system| system.matrix).collect();
     Study { hierarchy, matrix, coarse_matrices, dofs, projectors }
@@ -116,7 +116,7 @@ fn plain(scheme: Scheme) -> Variant {
     ProlongationOptions { affine_correction, ..scheme.into() }.into()
 }
 
-impl<E: Entry<Real = f64>> Study<E> {
+impl<E: SystemEntry> Study<E> {
     fn multigrid(&self, variant: Variant, cycle: &MultigridOptions) -> Multigrid<E> {
         let transfer = |number: usize| {
             let prolongation = self.hierarchy.prolongation(number, variant.options);
@@ -128,7 +128,7 @@ impl<E: Entry<Real = f64>> Study<E> {
                 coarse_matrix: variant.reassembled.then(|| coarse_matrix.clone()),
             }
         };
-        let transfers = (0..self.hierarchy.refinements.len()).rev().map(transfer).collect();
+        let transfers = (0..self.hierarchy.refinements.len()).map(transfer).collect();
         Multigrid::with_transfers(&self.matrix, transfers, self.projectors.clone(), cycle).unwrap()
     }
 

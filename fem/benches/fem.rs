@@ -45,7 +45,7 @@ fn prolongations(hierarchy: &Hierarchy) -> Vec<Csr<f64>> {
         let matrix = linear_matrix(&hierarchy.topologies[level]);
         restrict_to_free(&matrix, &dofs[level + 1], &dofs[level]).unwrap()
     };
-    (0..hierarchy.refinements.len()).rev().map(prolongation).collect()
+    (0..hierarchy.refinements.len()).map(prolongation).collect()
 }
 
 fn benchmarks(criterion: &mut Criterion) {

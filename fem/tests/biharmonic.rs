@@ -41,7 +41,7 @@ impl Cube {
             let [coarse, fine] = [transfer, transfer + 1].map(|l| &self.systems[l].dofs);
             restrict_to_free(&matrix, fine, coarse).unwrap()
         };
-        let prolongations = (0..level).rev().map(prolongation).collect();
+        let prolongations = (0..level).map(prolongation).collect();
         let options = MultigridOptions {
             precision: Precision::Double,
             before: 2,

@@ -10,7 +10,7 @@ use octruss_solver::Error;
 use octruss_solver::*;
 
 const GAUSS_SEIDEL: MultigridOptions = MultigridOptions {
-    smoother: Smoother::GaussSeidel,
+    smoother: Some(Smoother::GaussSeidel),
     diagonal: DiagonalKind::Block,
     shape: CycleShape::V,
     before: 1,
@@ -27,7 +27,7 @@ fn cube(prolong: Scheme) -> Body {
 fn right_side(body: &Body) -> Vec<[f64; 3]> {
     let numbers = noise(3 * body.matrix.rows(), 21);
     let mut rhs: Vec<[f64; 3]> = numbers.as_chunks::<3>().0.to_vec();
-    for (row, q) in &body.projectors[0] {
+    for (row, q) in body.projectors.last().unwrap() {
         let b = rhs[*row as usize];
         rhs[*row as usize] = q.map(|q| q[0] * b[0] + q[1] * b[1] + q[2] * b[2]);
     }
@@ -67,7 +67,8 @@ fn the_cube_takes_the_measured_iterations() {
 fn domains_cost_few_iterations_on_every_level() {
     for levels in [3, 4] {
         let cube = body(kuhn_cube(2), levels, (Scheme::Linear, 0.3, 1), |_| None);
-        let hybrid = MultigridOptions { smoother: Smoother::HybridGaussSeidel, ..GAUSS_SEIDEL };
+        let hybrid =
+            MultigridOptions { smoother: Some(Smoother::HybridGaussSeidel), ..GAUSS_SEIDEL };
         let counts = [GAUSS_SEIDEL, hybrid].map(|options| solve(&cube, &options).1.iterations);
         assert!(counts[1] <= counts[0] + 2 && counts[1] <= 18, "{counts:?}");
     }
@@ -89,7 +90,7 @@ fn auto_sweeps_by_domains_where_blocks_are_solved() {
 fn every_smoother_and_shape_converges() {
     let cube = cube(Scheme::Linear);
     let double = MultigridOptions { precision: Precision::Double, ..Default::default() };
-    let with = |smoother| MultigridOptions { smoother, ..double };
+    let with = |smoother| MultigridOptions { smoother: Some(smoother), ..double };
     let chebyshev = |degree| with(Smoother::Chebyshev { degree, lower: 0.1 });
     let choices = [
         chebyshev(1),
@@ -134,7 +135,7 @@ fn constrained_directions_stay_so_and_cost_no_iterations() {
         for options in [
             MultigridOptions::default(),
             MultigridOptions { diagonal: DiagonalKind::Point, ..Default::default() },
-            MultigridOptions { smoother: Smoother::L1Jacobi, ..Default::default() },
+            MultigridOptions { smoother: Some(Smoother::L1Jacobi), ..Default::default() },
             GAUSS_SEIDEL,
         ] {
             let (x, report) = solve(&body, &options);
@@ -142,7 +143,7 @@ fn constrained_directions_stay_so_and_cost_no_iterations() {
             // cost nothing; l1-Jacobi is slow everywhere.
             assert!(report.iterations <= 45, "{} {options:?}", report.iterations);
             let size = norm(&x);
-            for (row, q) in &body.projectors[0] {
+            for (row, q) in body.projectors.last().unwrap() {
                 let x = x[*row as usize];
                 for i in 0..3 {
                     let projected: f64 = (0..3).map(|j| q[i][j] * x[j]).sum();
@@ -218,7 +219,7 @@ fn smoothed_prolongation_respects_constrained_directions() {
         let goal = SolveOptions::default();
         let rhs = right_side(&body);
         let (x, report) = conjugate_gradients(&body.matrix, &rhs, &mut multigrid, &goal).unwrap();
-        for (row, q) in &body.projectors[0] {
+        for (row, q) in body.projectors.last().unwrap() {
             let x = x[*row as usize];
             let left = [0, 1, 2].map(|i| x[i] - (0..3).map(|j| q[i][j] * x[j]).sum::<f64>());
             assert!(norm(&left) <= 1e-7 * norm(&[x]).max(1.0), "row {row}: {left:?}");
@@ -235,7 +236,7 @@ fn blocks_have_the_same_bits_for_any_number_of_threads() {
     for smoother in
         [Smoother::CHEBYSHEV, Smoother::HybridGaussSeidel, Smoother::ColouredGaussSeidel]
     {
-        let options = MultigridOptions { smoother, ..Default::default() };
+        let options = MultigridOptions { smoother: Some(smoother), ..Default::default() };
         let solutions = [1, 2, 3].map(|threads| {
             let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
             pool.install(|| solve(&cube, &options).0)
@@ -250,13 +251,13 @@ fn projectors_that_are_none_are_refused() {
     let cube = cube(Scheme::Linear);
     let refused = |list: Vec<(u32, Block)>| {
         let mut lists = vec![Vec::new(); 4];
-        lists[0] = list;
+        lists[3] = list;
         let prolongations = cube.prolongations.clone();
         Multigrid::constrained(&cube.matrix, prolongations, lists, &Default::default()).unwrap_err()
     };
     let slanted = plane([1.0, 1.0, 0.0]);
     let twice = slanted.map(|row| row.map(|v| 2.0 * v));
-    assert!(matches!(refused(vec![(3, twice)]), Error::Projector { level: 0, row: 3 }));
+    assert!(matches!(refused(vec![(3, twice)]), Error::Projector { level: 3, row: 3 }));
     let descending = vec![(3, slanted), (2, slanted)];
     assert!(matches!(refused(descending), Error::Projector { row: 2, .. }));
     assert!(matches!(refused(vec![(4624, slanted)]), Error::Size { found: 4624, .. }));

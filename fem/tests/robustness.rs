@@ -26,7 +26,7 @@ fn case(coarse: TetMesh, problem: &Poisson) -> Case {
     };
     Case {
         system: assemble(hierarchy.finest(), &hierarchy.topologies[2], problem).unwrap(),
-        prolongations: [1, 0].map(prolongation).into(),
+        prolongations: [0, 1].map(prolongation).into(),
     }
 }
 
@@ -131,7 +131,7 @@ fn numbers_that_are_none_are_named() {
         let refused = case.solve(matrix, &spoilt).unwrap_err();
         assert!(matches!(refused, Error::NotFinite { index: 5, .. }), "{refused}");
         let mut prolongations = case.prolongations.clone();
-        prolongations[1] = changed(&prolongations[1], |i, _, v| if i == 0 { bad } else { v });
+        prolongations[0] = changed(&prolongations[0], |i, _, v| if i == 0 { bad } else { v });
         let refused = Multigrid::new(matrix, prolongations, &Default::default());
         assert!(matches!(refused, Err(Error::NotFinite { index: 0, .. })));
     }
@@ -210,7 +210,7 @@ fn soft_material_beside_hard_costs_few_iterations_more() {
     for contrast in [1.0, 1e3, 1e6] {
         let (system, prolongations) = soft_base(contrast);
         for (smoother, alike) in smoothers {
-            let options = MultigridOptions { smoother, ..Default::default() };
+            let options = MultigridOptions { smoother: Some(smoother), ..Default::default() };
             let mut multigrid =
                 Multigrid::new(&system.matrix, prolongations.clone(), &options).unwrap();
             // Rounding allows no more than 2e-6 where the body is a million times as

@@ -52,7 +52,7 @@ pub enum Error {
     /// A level's diagonal is missing or not positive.
     #[error("level {level}, row {row}: the diagonal is {value}; it must be positive")]
     Diagonal {
-        /// 0 is the finest.
+        /// 0 is the coarsest.
         level: usize,
         /// The first row at fault.
         row: usize,
@@ -63,7 +63,7 @@ pub enum Error {
     /// A projector of a constrained row is none, or not in its place.
     #[error("level {level}, row {row}: expected symmetric projectors (Q Q = Q) at ascending rows")]
     Projector {
-        /// 0 is the finest.
+        /// 0 is the coarsest.
         level: usize,
         /// The first row at fault.
         row: u32,
@@ -146,13 +146,16 @@ impl Error {
 ///
 /// # Errors
 /// [`Error::NotFinite`] with the first that is not.
-pub fn check_finite(what: &'static str, values: &[f64]) -> Result<(), Error> {
+pub fn check_finite<T: Copy + Into<f64> + Sync>(
+    what: &'static str,
+    values: &[T],
+) -> Result<(), Error> {
     let first_bad = |range: std::ops::Range<usize>| {
         let start = range.start;
-        values[range].iter().position(|v| !v.is_finite()).map(|at| start + at)
+        values[range].iter().position(|&v| !v.into().is_finite()).map(|at| start + at)
     };
     match map_ranges(values.len(), first_bad).into_iter().flatten().next() {
-        Some(index) => Err(Error::NotFinite { what, index, value: values[index] }),
+        Some(index) => Err(Error::NotFinite { what, index, value: values[index].into() }),
         None => Ok(()),
     }
 }

@@ -41,13 +41,17 @@ mod toy;
 pub use error::{Error, check_finite, check_size};
 pub use krylov::cg::conjugate_gradients;
 pub use krylov::iteration::{EachIteration, SolveOptions};
+pub use krylov::operator::Operator;
 pub use krylov::preconditioner::{Identity, Preconditioner};
 pub use krylov::stationary::{geometric_mean, mean_reduction, reductions, stationary_iteration};
 pub use multigrid::galerkin::galerkin;
-pub use multigrid::options::{CycleShape, DiagonalKind, MultigridOptions, Precision, Smoother};
+pub use multigrid::options::{
+    CycleShape, DiagonalKind, MultigridOptions, Precision, ResolvedOptions, Smoother,
+};
 pub use multigrid::projectors::project;
 pub use multigrid::setup::Multigrid;
 pub use multigrid::summary::LevelSummary;
+pub use multigrid::system_entry::SystemEntry;
 pub use multigrid::traffic::{KernelTraffic, Traffic};
 pub use multigrid::transfer::Transfer;
 pub use report::{SolveReport, Unfinished};

@@ -8,7 +8,7 @@ use octruss_solver::Csr;
 pub type Block = [[f64; 3]; 3];
 
 /// A system for the vertices that are not clamped, constrained in some directions
-/// on every level, with what prolongs between levels, finest first.
+/// on every level, with what prolongs between levels, coarsest first.
 pub struct Body {
     pub matrix: Csr<Block>,
     pub prolongations: Vec<Csr<f64>>,
@@ -45,12 +45,12 @@ pub fn body(
         };
         dofs.free().iter().enumerate().filter_map(of).collect()
     };
-    let levels = hierarchy.meshes.iter().zip(&dofs).rev();
+    let levels = hierarchy.meshes.iter().zip(&dofs);
     let projectors: Vec<Vec<(u32, Block)>> = levels.map(constrained).collect();
     let matrix = stiffness(hierarchy.finest(), &dofs[refinements], poisson_ratio);
     Body {
-        matrix: constrain(&matrix, &projectors[0]),
-        prolongations: (0..refinements).rev().map(prolongation).collect(),
+        matrix: constrain(&matrix, &projectors[refinements]),
+        prolongations: (0..refinements).map(prolongation).collect(),
         projectors,
     }
 }

@@ -2,12 +2,12 @@
 
 use crate::error::Error;
 use crate::krylov::iteration::{Iteration, SolveOptions};
+use crate::krylov::operator::Operator;
 use crate::krylov::preconditioner::Preconditioner;
 use crate::report::SolveReport;
-use crate::sparse::csr::Csr;
 use crate::sparse::dot::{dot, norm};
 use crate::sparse::entry::{Entry, Nodal};
-use crate::sparse::kernels::{advance, product_dot, residual};
+use crate::sparse::kernels::advance;
 use octruss_base::chunks::for_chunks;
 
 /// Solves A x = b for a symmetric positive definite A.
@@ -26,9 +26,9 @@ use octruss_base::chunks::for_chunks;
 /// [`Error::NotFinite`], [`Error::Size`] and [`Error::Option`] come before the first
 /// iteration.
 pub fn conjugate_gradients<E: Entry<Real = f64>>(
-    matrix: &Csr<E>,
+    matrix: &dyn Operator<E>,
     rhs: &[E::Nodal],
-    preconditioner: &mut impl Preconditioner<E::Nodal>,
+    preconditioner: &mut dyn Preconditioner<E::Nodal>,
     options: &SolveOptions<'_>,
 ) -> Result<(Vec<E::Nodal>, SolveReport), Error> {
     let mut run = Iteration::new(matrix, rhs, preconditioner.setup_seconds(), options)?;
@@ -56,7 +56,7 @@ pub fn conjugate_gradients<E: Entry<Real = f64>>(
             fresh / previous_rz
         };
         follow(Nodal::flat(&z), keep, Nodal::flat_mut(&mut p));
-        let pq = product_dot(matrix, &p, &mut q);
+        let pq = matrix.product_dot(&p, &mut q);
         // A step that is not finite would spoil the iterate.
         if !(pq > 0.0 && (rz / pq).is_finite()) {
             return Err(Error::NotPositiveDefinite { what: "matrix", at: run.unfinished(x) });
@@ -70,7 +70,7 @@ pub fn conjugate_gradients<E: Entry<Real = f64>>(
         });
         previous_rz = rz;
         if run.is_small(residual_norm) {
-            residual(matrix, &x, rhs, &mut r);
+            matrix.residual(&x, rhs, &mut r);
             let true_norm = norm(&r);
             if run.is_small(true_norm) {
                 return Ok(run.finish(x));
@@ -101,6 +101,7 @@ fn follow(z: &[f64], keep: f64, p: &mut [f64]) {
 mod tests {
     use super::*;
     use crate::krylov::preconditioner::Identity;
+    use crate::sparse::csr::Csr;
     use crate::sparse::noise::noise;
     use crate::toy::{second_difference, tridiagonal};
     use std::ops::ControlFlow;

@@ -1,11 +1,10 @@
 //! What every iteration has in common: its goal, its history, its report.
 
 use crate::error::{Error, check_finite, check_size};
+use crate::krylov::operator::Operator;
 use crate::report::{SolveReport, Unfinished};
-use crate::sparse::csr::Csr;
 use crate::sparse::dot::{dot, norm};
 use crate::sparse::entry::{Entry, Nodal};
-use crate::sparse::kernels::residual;
 use std::ops::ControlFlow;
 use std::time::Instant;
 
@@ -37,7 +36,7 @@ impl Default for SolveOptions<'_> {
 
 /// A solve under way.
 pub(crate) struct Iteration<'a, E: Entry> {
-    matrix: &'a Csr<E>,
+    matrix: &'a dyn Operator<E>,
     rhs: &'a [E::Nodal],
     rhs_norm: f64,
     options: &'a SolveOptions<'a>,
@@ -52,15 +51,14 @@ pub(crate) struct Iteration<'a, E: Entry> {
 impl<'a, E: Entry<Real = f64>> Iteration<'a, E> {
     /// Checks sizes and numbers.
     pub(crate) fn new(
-        matrix: &'a Csr<E>,
+        matrix: &'a dyn Operator<E>,
         rhs: &'a [E::Nodal],
         setup_seconds: f64,
         options: &'a SolveOptions<'a>,
     ) -> Result<Self, Error> {
         let began = Instant::now();
-        check_size("columns of the matrix", matrix.columns(), matrix.rows())?;
+        matrix.check()?;
         check_size("entries of the right-hand side", rhs.len(), matrix.rows())?;
-        check_finite("matrix", E::flat(matrix.values()))?;
         check_finite("right-hand side", Nodal::flat(rhs))?;
         if options.tolerance < 0.0 || options.tolerance.is_nan() {
             return Err(Error::Option { option: "tolerance", expected: "0 or more" });
@@ -81,7 +79,7 @@ impl<'a, E: Entry<Real = f64>> Iteration<'a, E> {
         let (mut x, mut r) = (vec![E::Nodal::default(); self.rhs.len()], self.rhs.to_vec());
         if let Some(start) = self.options.start {
             Nodal::flat_mut(&mut x).copy_from_slice(start);
-            residual(self.matrix, &x, self.rhs, &mut r);
+            self.matrix.residual(&x, self.rhs, &mut r);
             // The squares of the energy norms of the errors of zero and of x, one
             // minus the other.
             let gain = dot(&x, self.rhs) + dot(&x, &r);
@@ -148,7 +146,7 @@ impl<'a, E: Entry<Real = f64>> Iteration<'a, E> {
 
     fn report(self, x: &[E::Nodal]) -> SolveReport {
         let mut r = vec![E::Nodal::default(); x.len()];
-        residual(self.matrix, x, self.rhs, &mut r);
+        self.matrix.residual(x, self.rhs, &mut r);
         SolveReport {
             iterations: self.history.len() - 1,
             relative_residual: norm(&r) / self.scale(),

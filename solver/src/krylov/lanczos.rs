@@ -1,11 +1,10 @@
 //! The largest eigenvalue of D⁻¹A.
 
-use crate::sparse::csr::Csr;
+use crate::krylov::operator::Operator;
 use crate::sparse::entry::{Entry, Nodal};
-use crate::sparse::kernels::product_dot;
 use crate::sparse::noise::noise;
 use crate::sparse::real::Real;
-use octruss_base::chunks::{for_chunks, map_chunks, map_ranges};
+use octruss_base::chunks::{for_chunks, map_chunks};
 use octruss_base::large_array::zeroed;
 
 /// Lanczos steps: the estimate then lies a few percent below the eigenvalue,
@@ -19,7 +18,7 @@ const EXHAUSTED: f64 = 1e-6;
 pub(crate) struct UpperEnd {
     /// From below, within a few percent.
     pub(crate) estimate: f64,
-    /// No eigenvalue is larger.
+    /// No eigenvalue is larger; infinite where the operator knows no bound.
     pub(crate) bound: f64,
 }
 
@@ -31,7 +30,7 @@ pub(crate) struct UpperEnd {
 /// the square root of the diagonal. With mere noise a soft material beside a hard one
 /// would hardly count, and what is largest there be seen too late.
 pub(crate) fn largest_eigenvalue<E: Entry>(
-    matrix: &Csr<E>,
+    matrix: &impl Operator<E>,
     diagonal: &[E],
     inverse_diagonal: &[E],
 ) -> UpperEnd {
@@ -54,7 +53,7 @@ pub(crate) fn largest_eigenvalue<E: Entry>(
         for_chunks(&mut current, |_, chunk| {
             chunk.iter_mut().for_each(|v| *v = v.scaled(round(1.0 / size)));
         });
-        let alpha = product_dot(matrix, &current, &mut next);
+        let alpha = matrix.product_dot(&current, &mut next);
         if step > 0 {
             betas.push(size);
         }
@@ -76,8 +75,10 @@ pub(crate) fn largest_eigenvalue<E: Entry>(
         std::mem::swap(&mut previous, &mut current);
         std::mem::swap(&mut current, &mut next);
     }
-    let bound = row_bound(matrix, inverse_diagonal);
-    UpperEnd { estimate: largest_of_tridiagonal(&alphas, &betas, bound).min(bound), bound }
+    let bound = matrix.bound(inverse_diagonal);
+    let upper = bound.unwrap_or_else(|| largest_row(&alphas, &betas));
+    let bound = bound.unwrap_or(f64::INFINITY);
+    UpperEnd { estimate: largest_of_tridiagonal(&alphas, &betas, upper).min(upper), bound }
 }
 
 /// Σ v_i · D_i v_i.
@@ -89,14 +90,12 @@ fn weighted_square<E: Entry>(v: &[E::Nodal], d: &[E]) -> f64 {
     v.iter().zip(d).map(square).sum()
 }
 
-/// max Σ_j ‖D_i⁻¹ A_ij‖ in the maximum norm, which no eigenvalue of D⁻¹A exceeds.
-fn row_bound<E: Entry>(matrix: &Csr<E>, inverse_diagonal: &[E]) -> f64 {
-    let row = |i: usize| {
-        matrix.row(i).1.iter().map(|v| inverse_diagonal[i].times(*v).norm()).sum::<f64>()
-    };
-    map_ranges(matrix.rows(), |rows| rows.map(row).fold(0.0, f64::max))
-        .into_iter()
-        .fold(0.0, f64::max)
+/// The largest sum of absolute values in a row of the symmetric tridiagonal matrix with
+/// these diagonals, which none of its eigenvalues exceeds.
+fn largest_row(alphas: &[f64], betas: &[f64]) -> f64 {
+    let beside = |k: usize| betas.get(k).map_or(0.0, |beta| beta.abs());
+    let row = |k: usize| alphas[k].abs() + beside(k) + if k > 0 { beside(k - 1) } else { 0.0 };
+    (0..alphas.len()).map(row).fold(0.0, f64::max)
 }
 
 /// The largest eigenvalue, at most `upper`, of the symmetric tridiagonal matrix
@@ -122,6 +121,7 @@ fn largest_of_tridiagonal(alphas: &[f64], betas: &[f64], upper: f64) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::sparse::csr::Csr;
 
     #[test]
     fn the_second_difference_has_its_known_spectrum() {

@@ -3,5 +3,6 @@
 pub mod cg;
 pub mod iteration;
 pub mod lanczos;
+pub mod operator;
 pub mod preconditioner;
 pub mod stationary;

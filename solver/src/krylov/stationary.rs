@@ -1,14 +1,13 @@
 //! Cycles alone, without conjugate gradients: as a solver, and to measure how
 //! much a cycle reduces the error.
 
-use crate::error::{Error, check_size};
+use crate::error::Error;
 use crate::krylov::iteration::{Iteration, SolveOptions};
+use crate::krylov::operator::Operator;
 use crate::krylov::preconditioner::Preconditioner;
 use crate::report::SolveReport;
-use crate::sparse::csr::Csr;
 use crate::sparse::dot::norm;
 use crate::sparse::entry::{Entry, Nodal};
-use crate::sparse::kernels::{product_dot, residual};
 use crate::sparse::noise::noise;
 
 /// Solves A x = b by x ← x + M (b − A x), M the preconditioner.
@@ -18,9 +17,9 @@ use crate::sparse::noise::noise;
 /// with the smallest residual; [`Error::NotFinite`], [`Error::Size`] and [`Error::Option`] come
 /// before the first iteration.
 pub fn stationary_iteration<E: Entry<Real = f64>>(
-    matrix: &Csr<E>,
+    matrix: &dyn Operator<E>,
     rhs: &[E::Nodal],
-    preconditioner: &mut impl Preconditioner<E::Nodal>,
+    preconditioner: &mut dyn Preconditioner<E::Nodal>,
     options: &SolveOptions<'_>,
 ) -> Result<(Vec<E::Nodal>, SolveReport), Error> {
     let mut run = Iteration::new(matrix, rhs, preconditioner.setup_seconds(), options)?;
@@ -33,7 +32,7 @@ pub fn stationary_iteration<E: Entry<Real = f64>>(
         preconditioner.apply(&r, &mut z);
         z.iter_mut().zip(&x).for_each(|(z, x)| *z = x.plus(*z));
         std::mem::swap(&mut x, &mut z);
-        residual(matrix, &x, rhs, &mut r);
+        matrix.residual(&x, rhs, &mut r);
         let residual_norm = norm(&r);
         let wish = run.record(residual_norm, || z.clone());
         if run.is_small(residual_norm) {
@@ -54,10 +53,10 @@ pub fn stationary_iteration<E: Entry<Real = f64>>(
 /// of `cycles`) factor of its energy norm √(e · A e), for A e = 0 from noise.
 ///
 /// # Errors
-/// [`Error::Size`] if the matrix is not square.
+/// [`Error::Size`] if the matrix is not square, [`Error::NotFinite`].
 pub fn mean_reduction<E: Entry<Real = f64>>(
-    matrix: &Csr<E>,
-    preconditioner: &mut impl Preconditioner<E::Nodal>,
+    matrix: &dyn Operator<E>,
+    preconditioner: &mut dyn Preconditioner<E::Nodal>,
     cycles: usize,
 ) -> Result<f64, Error> {
     const MEASURED: usize = 8;
@@ -69,19 +68,19 @@ pub fn mean_reduction<E: Entry<Real = f64>>(
 /// error, for A e = 0 from noise.
 ///
 /// # Errors
-/// [`Error::Size`] if the matrix is not square.
+/// [`Error::Size`] if the matrix is not square, [`Error::NotFinite`].
 pub fn reductions<E: Entry<Real = f64>>(
-    matrix: &Csr<E>,
-    preconditioner: &mut impl Preconditioner<E::Nodal>,
+    matrix: &dyn Operator<E>,
+    preconditioner: &mut dyn Preconditioner<E::Nodal>,
     cycles: usize,
 ) -> Result<Vec<f64>, Error> {
-    check_size("columns of the matrix", matrix.columns(), matrix.rows())?;
+    matrix.check()?;
     let [mut error, mut image, mut correction] =
         std::array::from_fn(|_| vec![E::Nodal::default(); matrix.rows()]);
     let start = noise(matrix.rows() * E::Nodal::SIZE, 3);
     E::Nodal::flat_mut(&mut error).copy_from_slice(&start);
     let energy =
-        |error: &[E::Nodal], image: &mut [E::Nodal]| product_dot(matrix, error, image).sqrt();
+        |error: &[E::Nodal], image: &mut [E::Nodal]| matrix.product_dot(error, image).sqrt();
     let mut factors = Vec::with_capacity(cycles);
     let mut before = energy(&error, &mut image);
     for _ in 0..cycles {

@@ -63,7 +63,13 @@ impl<E: Entry> Cycle<E> {
     /// z = full multigrid for A z = r: the coarsest level solved, then on each finer
     /// one its solution, brought there by a matrix of `transfers` (finest first) or
     /// by the prolongation, improved by `cycles` cycles.
-    pub(crate) fn full(&mut self, r: &[f64], transfers: &[Csr<f64>], cycles: usize, z: &mut [f64]) {
+    pub(crate) fn full(
+        &mut self,
+        r: &[f64],
+        transfers: &[&Csr<f64>],
+        cycles: usize,
+        z: &mut [f64],
+    ) {
         self.scaled(r, z, |cycle| {
             let mut sides = vec![cycle.rhs.clone()];
             for level in &cycle.levels {
@@ -73,7 +79,7 @@ impl<E: Entry> Cycle<E> {
             let mut x = vec![E::Nodal::default(); sides[coarsest].len()];
             cycle.coarsest.solve(Nodal::flat(&sides[coarsest]), Nodal::flat_mut(&mut x));
             for k in (0..coarsest).rev() {
-                x = cycle.levels[k].transfer(transfers.get(k), &x);
+                x = cycle.levels[k].transfer(transfers.get(k).copied(), &x);
                 for _ in 0..cycles {
                     let levels = &mut cycle.levels[k..];
                     descend(cycle.shape, levels, &mut cycle.coarsest, (&sides[k], &mut x), false);

@@ -63,8 +63,8 @@ impl<E: Entry<Real = f64>, F: Entry> SetupInput<E, F> {
             ),
             _ => Vec::new(),
         };
-        let projectors = rows.into_iter().zip(projectors).enumerate();
-        let projectors = projectors.map(|(level, (rows, list))| Projectors::new(level, rows, list));
+        let levels = (0..rows.len()).rev().zip(rows.iter().zip(projectors));
+        let projectors = levels.map(|(level, (&rows, list))| Projectors::new(level, rows, list));
         Ok(Self {
             transfers: transfers.into_iter().map(AnyTransfer::New).collect(),
             projectors: projectors.collect::<Result<_, _>>()?,

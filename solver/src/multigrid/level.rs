@@ -1,7 +1,7 @@
 //! One smoothed level of the multigrid: plain data and the steps of the cycle.
 
 use crate::multigrid::galerkin::constrained_galerkin;
-use crate::multigrid::options::MultigridOptions;
+use crate::multigrid::options::ResolvedOptions;
 use crate::multigrid::projectors::{Projectors, project};
 use crate::multigrid::smoother::diagonal::Diagonal;
 use crate::multigrid::smoother::level_smoother::{Grouping, LevelSmoother};
@@ -67,7 +67,7 @@ impl<E: Entry> Level<E> {
         (matrix, diagonal, scale): (&Csr<D>, Diagonal<D>, f64),
         Kept { prolongation, restriction, grouping }: Kept<E>,
         [fine, coarse]: [&Projectors<D>; 2],
-        options: &MultigridOptions,
+        options: &ResolvedOptions,
     ) -> Self {
         Self {
             smoothing: LevelSmoother::new((matrix, diagonal, scale), fine, options, grouping),

@@ -5,11 +5,6 @@ use crate::error::Error;
 /// What one smoothing sweep is.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Smoother {
-    /// What takes the least time: [`HybridGaussSeidel`](Self::HybridGaussSeidel) for a
-    /// matrix of blocks whose diagonal is inverted by blocks, else
-    /// [`CHEBYSHEV`](Self::CHEBYSHEV).
-    /// [`Multigrid::options`](crate::Multigrid::options) tells which.
-    Auto,
     /// A Chebyshev polynomial in D⁻¹A: parallel, the same bits for any number
     /// of threads.
     Chebyshev {
@@ -86,10 +81,15 @@ pub enum Precision {
 
 /// The choices of a cycle. The defaults suit every problem that this crate
 /// assembles; nobody has to choose.
+///
+/// `S` is the smoother: asked for or left open, or, once the matrix is known
+/// ([`ResolvedOptions`]), the one that runs.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct MultigridOptions {
-    /// What one sweep is.
-    pub smoother: Smoother,
+pub struct MultigridOptions<S = Option<Smoother>> {
+    /// What one sweep is. If left open, what takes the least time:
+    /// [`HybridGaussSeidel`](Smoother::HybridGaussSeidel) for a matrix of blocks whose
+    /// diagonal is inverted by blocks, else [`CHEBYSHEV`](Smoother::CHEBYSHEV).
+    pub smoother: S,
     /// Which diagonal it inverts.
     pub diagonal: DiagonalKind,
     /// How often coarser levels are visited.
@@ -103,12 +103,15 @@ pub struct MultigridOptions {
     pub precision: Precision,
 }
 
+/// The choices of a cycle that has been set up.
+pub type ResolvedOptions = MultigridOptions<Smoother>;
+
 impl Default for MultigridOptions {
     /// V(1,1), the smoother that takes the least time with the diagonal's blocks, single
     /// precision.
     fn default() -> Self {
         Self {
-            smoother: Smoother::Auto,
+            smoother: None,
             diagonal: DiagonalKind::Block,
             shape: CycleShape::V,
             before: 1,
@@ -119,16 +122,24 @@ impl Default for MultigridOptions {
 }
 
 impl MultigridOptions {
-    /// With what `Auto` stands for, for a matrix of blocks or of numbers.
-    pub(crate) fn resolved(mut self, has_blocks: bool) -> Self {
-        if self.smoother == Smoother::Auto {
-            let by_blocks = has_blocks && self.diagonal == DiagonalKind::Block;
-            self.smoother =
-                if by_blocks { Smoother::HybridGaussSeidel } else { Smoother::CHEBYSHEV };
-        }
-        self
+    /// With the smoother that runs, for a matrix of blocks or of numbers.
+    ///
+    /// # Errors
+    /// [`Error::Option`] for a value that makes no sense.
+    pub(crate) fn resolved(self, has_blocks: bool) -> Result<ResolvedOptions, Error> {
+        let Self { smoother, diagonal, shape, before, after, precision } = self;
+        let usual = match has_blocks && diagonal == DiagonalKind::Block {
+            true => Smoother::HybridGaussSeidel,
+            false => Smoother::CHEBYSHEV,
+        };
+        let smoother = smoother.unwrap_or(usual);
+        let resolved = MultigridOptions { smoother, diagonal, shape, before, after, precision };
+        resolved.check()?;
+        Ok(resolved)
     }
+}
 
+impl ResolvedOptions {
     /// Products with the matrix in one visit of a level, that of the residual included.
     pub(crate) fn products(&self) -> usize {
         let sweeps = self.before + self.after;
@@ -136,19 +147,18 @@ impl MultigridOptions {
             Smoother::Chebyshev { degree, .. } => degree * sweeps + 1,
             // Sweeps leave the residual.
             Smoother::HybridGaussSeidel => sweeps,
-            Smoother::Auto
-            | Smoother::GaussSeidel
-            | Smoother::ColouredGaussSeidel
-            | Smoother::L1Jacobi => sweeps + 1,
+            Smoother::GaussSeidel | Smoother::ColouredGaussSeidel | Smoother::L1Jacobi => {
+                sweeps + 1
+            }
         }
     }
 
-    /// How often a cycle visits level `level`.
-    pub(crate) fn visits(&self, level: usize) -> usize {
+    /// How often a cycle visits the level that lies `below` levels under the finest.
+    pub(crate) fn visits(&self, below: usize) -> usize {
         match self.shape {
             CycleShape::V => 1,
             // A hierarchy has few levels, but the list comes from outside.
-            CycleShape::W => 1 << level.min(usize::BITS as usize - 1),
+            CycleShape::W => 1 << below.min(usize::BITS as usize - 1),
         }
     }
 
@@ -157,7 +167,7 @@ impl MultigridOptions {
         self.before == self.after
     }
 
-    pub(crate) fn check(&self) -> Result<(), Error> {
+    fn check(&self) -> Result<(), Error> {
         if self.before + self.after == 0 {
             let expected = "at least one smoothing sweep";
             return Err(Error::Option { option: "before, after", expected });

@@ -27,7 +27,7 @@ impl<E: Entry<Real = f64>> Projectors<E> {
         Self { list: Vec::new(), places: Vec::new() }
     }
 
-    /// From (row, projector) of the constrained rows of a level, 0 the finest.
+    /// From (row, projector) of the constrained rows of a level, 0 the coarsest.
     ///
     /// # Errors
     /// [`Error::Size`] if a row is not below `rows`; [`Error::Projector`] if rows do

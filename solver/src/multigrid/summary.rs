@@ -1,9 +1,7 @@
-//! The multigrid's table of itself.
+//! The figures of one level.
 
-use crate::multigrid::setup::Multigrid;
 use crate::sparse::csr::Csr;
 use crate::sparse::entry::Entry;
-use std::fmt;
 
 /// What one level holds.
 #[derive(Debug, Clone, PartialEq)]
@@ -36,44 +34,5 @@ impl LevelSummary {
     /// Stored entries a row of its matrix.
     pub fn nonzeros_per_row(&self) -> f64 {
         self.nonzeros as f64 / self.unknowns.max(1) as f64
-    }
-}
-
-impl<E: Entry> fmt::Display for Multigrid<E> {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        writeln!(
-            f,
-            "{:>5}  {:>10}  {:>11}  {:>7}  {:>9}  {:>9}",
-            "level", "unknowns", "nonzeros", "per row", "MiB", "λmax"
-        )?;
-        for (number, level) in self.levels().iter().enumerate() {
-            let eigenvalue = match (level.largest_eigenvalue, level.prolongation_nonzeros) {
-                (Some(value), _) => format!("{value:.3}"),
-                (None, Some(_)) => "–".into(),
-                (None, None) => "direct".into(),
-            };
-            writeln!(
-                f,
-                "{number:>5}  {:>10}  {:>11}  {:>7.1}  {:>9.2}  {eigenvalue:>9}",
-                level.unknowns,
-                level.nonzeros,
-                level.nonzeros_per_row(),
-                level.bytes as f64 / f64::from(1 << 20),
-            )?;
-        }
-        write!(
-            f,
-            "grid complexity {:.3}, operator complexity {:.3}, work of a cycle {:.2} products",
-            self.grid_complexity(),
-            self.operator_complexity(),
-            self.work_units()
-        )
-    }
-}
-
-impl<E: Entry> fmt::Debug for Multigrid<E> {
-    /// The table: levels hold too many numbers to print.
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        fmt::Display::fmt(self, f)
     }
 }

@@ -13,7 +13,8 @@ use std::time::Instant;
 pub struct Traffic {
     /// Bytes a second of copying memory, read and written ones counted.
     pub copy_bandwidth: f64,
-    /// The kernels of each level, finest first.
+    /// The kernels of each level, coarsest first; the coarsest is solved directly and has
+    /// none.
     pub kernels: Vec<KernelTraffic>,
     /// All kernels in one cycle with the rounding of its input and output; the
     /// level's number says nothing.
@@ -23,7 +24,7 @@ pub struct Traffic {
 /// One kernel on one level.
 #[derive(Debug, Clone, PartialEq)]
 pub struct KernelTraffic {
-    /// 0 is the finest.
+    /// 0 is the coarsest.
     pub level: usize,
     /// What it does.
     pub kernel: &'static str,
@@ -72,15 +73,15 @@ pub(crate) fn measure<E: Entry>(cycle: &mut Cycle<E>, unknowns: usize, repeats: 
             rhs = level.coarse_rhs.clone();
         }
     }
-    let kernels: Vec<KernelTraffic> = kernels
+    let coarsest = cycle.levels.len();
+    let mut kernels: Vec<KernelTraffic> = kernels
         .into_iter()
-        .map(|(level, kernel, bytes, seconds)| KernelTraffic {
-            level,
-            kernel,
-            bytes,
-            seconds: median(seconds),
+        .map(|(below, kernel, bytes, seconds)| {
+            let (level, seconds) = (coarsest - below, median(seconds));
+            KernelTraffic { level, kernel, bytes, seconds }
         })
         .collect();
+    kernels.sort_by_key(|kernel| kernel.level);
     let bytes =
         kernels.iter().map(|kernel| kernel.bytes).sum::<usize>() + rounding_bytes::<E>(unknowns);
     Traffic {

@@ -16,6 +16,7 @@ pub trait Real:
     + Sub<Output = Self>
     + Mul<Output = Self>
     + AddAssign
+    + Into<f64>
     + 'static
 {
     /// Rounds to this type.

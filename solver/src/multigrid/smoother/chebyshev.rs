@@ -5,9 +5,8 @@
 //! one pass over the matrix a step. In the energy product the polynomial is
 //! symmetric, so the cycle is.
 
-use crate::sparse::csr::Csr;
+use crate::krylov::operator::Operator;
 use crate::sparse::entry::{Entry, Nodal};
-use crate::sparse::kernels::chebyshev_step;
 use crate::sparse::real::Real;
 use octruss_base::chunks::map_chunks2;
 use octruss_base::large_array::zeroed;
@@ -55,7 +54,7 @@ impl<E: Entry> Chebyshev<E> {
     /// it holds, and the first step needs no product.
     pub(crate) fn smooth(
         &mut self,
-        matrix: &Csr<E>,
+        matrix: &impl Operator<E>,
         inverse_diagonal: &[E],
         (b, x): (&[E::Nodal], &mut Vec<E::Nodal>),
         from_zero: bool,
@@ -65,12 +64,8 @@ impl<E: Entry> Chebyshev<E> {
                 start::<E>(add, (inverse_diagonal, b), &mut self.direction, x);
                 continue;
             }
-            chebyshev_step(
-                (matrix, inverse_diagonal),
-                (keep, add),
-                (x, b),
-                (&mut self.direction, &mut self.next),
-            );
+            let result = (&mut self.direction[..], &mut self.next[..]);
+            matrix.chebyshev_step(inverse_diagonal, (keep, add), (x, b), result);
             std::mem::swap(x, &mut self.next);
         }
     }

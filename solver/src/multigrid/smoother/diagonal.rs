@@ -15,7 +15,7 @@ pub(crate) struct Diagonal<E> {
 }
 
 impl<E: Entry<Real = f64>> Diagonal<E> {
-    /// Of the matrix of a level, 0 the finest.
+    /// Of the matrix of a level, 0 the coarsest.
     ///
     /// # Errors
     /// [`Error::Diagonal`] at the first entry that is missing or not positive definite.

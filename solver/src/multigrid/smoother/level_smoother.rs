@@ -1,6 +1,6 @@
 //! The smoother of one level, whichever it is, with the matrix in the form it needs.
 
-use crate::multigrid::options::MultigridOptions;
+use crate::multigrid::options::{ResolvedOptions, Smoother};
 use crate::multigrid::projectors::Projectors;
 use crate::multigrid::smoother::colouring::Colouring;
 use crate::multigrid::smoother::diagonal::Diagonal;
@@ -24,22 +24,38 @@ pub(crate) enum Grouping {
 }
 
 impl<E: Entry> LevelSmoother<E> {
-    /// The smoother of `scale` times a matrix, in the cycle's precision: by domains where
-    /// some are given. Colours of the rows may be known.
+    /// The smoother of `scale` times a matrix, in the cycle's precision. How its rows are
+    /// grouped may be known; without domains all rows are one.
     pub(crate) fn new<D: Entry<Real = f64>>(
         (matrix, diagonal, scale): (&Csr<D>, Diagonal<D>, f64),
         projectors: &Projectors<D>,
-        options: &MultigridOptions,
+        options: &ResolvedOptions,
         known: Option<Grouping>,
     ) -> Self {
-        let colours = match known {
-            Some(Grouping::Domains(domains)) => {
+        let (diagonal_kind, scaled) = (options.diagonal, |diagonal| (matrix, diagonal, scale));
+        Self::Rows(match (options.smoother, known) {
+            (Smoother::HybridGaussSeidel, Some(Grouping::Domains(domains))) => {
                 return Self::Hybrid(HybridGaussSeidel::new((matrix, &diagonal, scale), domains));
             }
-            Some(Grouping::Colours(colours)) => Some(colours),
-            None => None,
-        };
-        Self::Rows(RowSmoother::new((matrix, diagonal, scale), projectors, options, colours))
+            (Smoother::HybridGaussSeidel | Smoother::GaussSeidel, _) => {
+                RowSmoother::gauss_seidel(scaled(diagonal))
+            }
+            (Smoother::Chebyshev { degree, lower }, _) => {
+                let diagonal = diagonal.of_kind(diagonal_kind, projectors);
+                RowSmoother::chebyshev(scaled(diagonal), (degree, lower))
+            }
+            (Smoother::L1Jacobi, _) => {
+                let diagonal = diagonal.plus_rows(matrix, diagonal_kind, projectors);
+                RowSmoother::jacobi(scaled(diagonal))
+            }
+            (Smoother::ColouredGaussSeidel, known) => {
+                let colours = match known {
+                    Some(Grouping::Colours(colours)) => Some(colours),
+                    _ => None,
+                };
+                RowSmoother::coloured(scaled(diagonal), colours)
+            }
+        })
     }
 
     /// How the rows are grouped, if they are.

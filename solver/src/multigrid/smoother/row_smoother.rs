@@ -1,15 +1,13 @@
 //! The smoothers that go through whole rows of a level's matrix.
 
 use crate::krylov::lanczos::largest_eigenvalue;
-use crate::multigrid::options::{MultigridOptions, Smoother};
-use crate::multigrid::projectors::Projectors;
+use crate::krylov::operator::Operator;
 use crate::multigrid::smoother::chebyshev::Chebyshev;
 use crate::multigrid::smoother::colouring::Colouring;
 use crate::multigrid::smoother::diagonal::Diagonal;
 use crate::multigrid::smoother::gauss_seidel::{Order, coloured_sweep, sweep};
 use crate::sparse::csr::{Csr, cast_all};
 use crate::sparse::entry::Entry;
-use crate::sparse::kernels::residual;
 
 /// The estimated largest eigenvalue is from below by a few percent; the damped
 /// interval ends this much higher, unless a bound says that it need not. (Just
@@ -31,47 +29,54 @@ enum Kind<E: Entry> {
     Coloured(Colouring, Vec<E::Nodal>),
 }
 
+/// A matrix with what a smoother divides by: double precision, and what it is to be
+/// multiplied by before it is rounded to the cycle's.
+pub(crate) type Scaled<'a, D> = (&'a Csr<D>, Diagonal<D>, f64);
+
 impl<E: Entry> RowSmoother<E> {
-    /// The smoother of `scale` times a matrix, in the cycle's precision. The colours of
-    /// its rows may be known.
-    pub(crate) fn new<D: Entry<Real = f64>>(
-        (matrix, diagonal, scale): (&Csr<D>, Diagonal<D>, f64),
-        projectors: &Projectors<D>,
-        options: &MultigridOptions,
+    fn new<D: Entry<Real = f64>>((matrix, diagonal, scale): Scaled<D>, kind: Kind<E>) -> Self {
+        Self {
+            matrix: matrix.cast_scaled(scale),
+            inverse_diagonal: cast_all(&diagonal.inverses, 1.0 / scale),
+            kind,
+            largest_eigenvalue: None,
+        }
+    }
+
+    /// Chebyshev polynomials on the share of the spectrum above `lower`.
+    pub(crate) fn chebyshev<D: Entry<Real = f64>>(
+        (matrix, diagonal, scale): Scaled<D>,
+        (degree, lower): (usize, f64),
+    ) -> Self {
+        let entries: Vec<E> = cast_all(&diagonal.entries, scale);
+        let mut smoother = Self::new((matrix, diagonal, scale), Kind::Lexicographic);
+        let end = largest_eigenvalue(&smoother.matrix, &entries, &smoother.inverse_diagonal);
+        let upper = (SAFETY * end.estimate).min(end.bound);
+        let polynomial = Chebyshev::new(matrix.rows(), degree, lower * upper, upper);
+        smoother.kind = Kind::Polynomial(polynomial);
+        smoother.largest_eigenvalue = Some(end.estimate);
+        smoother
+    }
+
+    /// Jacobi's step with a diagonal that needs no damping.
+    pub(crate) fn jacobi<D: Entry<Real = f64>>(scaled: Scaled<D>) -> Self {
+        let polynomial = Chebyshev::plain(scaled.0.rows());
+        Self::new(scaled, Kind::Polynomial(polynomial))
+    }
+
+    /// Gauss–Seidel, a row after the other.
+    pub(crate) fn gauss_seidel<D: Entry<Real = f64>>(scaled: Scaled<D>) -> Self {
+        Self::new(scaled, Kind::Lexicographic)
+    }
+
+    /// Gauss–Seidel, a colour after the other; the colours may be known.
+    pub(crate) fn coloured<D: Entry<Real = f64>>(
+        scaled: Scaled<D>,
         known: Option<Colouring>,
     ) -> Self {
-        let n = matrix.rows();
-        let rounded = matrix.cast_scaled(scale);
-        let diagonal = match options.smoother {
-            Smoother::Chebyshev { .. } => diagonal.of_kind(options.diagonal, projectors),
-            Smoother::L1Jacobi => diagonal.plus_rows(matrix, options.diagonal, projectors),
-            Smoother::GaussSeidel
-            | Smoother::ColouredGaussSeidel
-            | Smoother::HybridGaussSeidel
-            | Smoother::Auto => diagonal,
-        };
-        let inverse_diagonal: Vec<E> = cast_all(&diagonal.inverses, 1.0 / scale);
-        let mut largest = None;
-        let kind = match options.smoother {
-            Smoother::Chebyshev { degree, lower } => {
-                let entries: Vec<E> = cast_all(&diagonal.entries, scale);
-                let end = largest_eigenvalue(&rounded, &entries, &inverse_diagonal);
-                largest = Some(end.estimate);
-                let upper = (SAFETY * end.estimate).min(end.bound);
-                Kind::Polynomial(Chebyshev::new(n, degree, lower * upper, upper))
-            }
-            Smoother::L1Jacobi => Kind::Polynomial(Chebyshev::plain(n)),
-            Smoother::ColouredGaussSeidel => {
-                let colouring = known.unwrap_or_else(|| Colouring::greedy(matrix));
-                let buffer = vec![E::Nodal::default(); colouring.largest()];
-                Kind::Coloured(colouring, buffer)
-            }
-            // By domains is another's business; `Auto` was resolved.
-            Smoother::GaussSeidel | Smoother::HybridGaussSeidel | Smoother::Auto => {
-                Kind::Lexicographic
-            }
-        };
-        Self { matrix: rounded, inverse_diagonal, kind, largest_eigenvalue: largest }
+        let colouring = known.unwrap_or_else(|| Colouring::greedy(scaled.0));
+        let buffer = vec![E::Nodal::default(); colouring.largest()];
+        Self::new(scaled, Kind::Coloured(colouring, buffer))
     }
 
     /// The colours of the rows, where they have some.
@@ -107,7 +112,7 @@ impl<E: Entry> RowSmoother<E> {
 
     /// The residual r = b − A x.
     pub(crate) fn residual(&self, b: &[E::Nodal], x: &[E::Nodal], r: &mut [E::Nodal]) {
-        residual(&self.matrix, x, b, r);
+        Operator::residual(&self.matrix, x, b, r);
     }
 
     /// The memory of its data and work vectors, in bytes.

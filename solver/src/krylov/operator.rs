@@ -1,0 +1,146 @@
+//! What iterations and smoothers ask of a matrix.
+
+use crate::error::{Error, check_finite, check_size};
+use crate::sparse::csr::Csr;
+use crate::sparse::dot::chunk_dot;
+use crate::sparse::entry::{Entry, Nodal};
+use crate::sparse::kernels;
+use octruss_base::chunks::map_ranges;
+
+/// A square linear operator on vectors with a number, or three, for each row.
+///
+/// Required is what any operator can do; the rest is provided from it, and a [`Csr`]
+/// does it in one pass over its entries instead. So a level whose matrix is never
+/// stored only has to apply it and tell its diagonal.
+///
+/// ```
+/// use octruss_solver::{Identity, Operator, SolveOptions, conjugate_gradients};
+///
+/// /// −u″ on points at distance 1 between two fixed ends.
+/// struct SecondDifference(usize);
+///
+/// impl Operator for SecondDifference {
+///     fn rows(&self) -> usize {
+///         self.0
+///     }
+///     fn apply(&self, x: &[f64], y: &mut [f64]) {
+///         for i in 0..x.len() {
+///             let before = if i > 0 { x[i - 1] } else { 0.0 };
+///             y[i] = 2.0 * x[i] - before - x.get(i + 1).unwrap_or(&0.0);
+///         }
+///     }
+///     fn diagonal(&self) -> Vec<f64> {
+///         vec![2.0; self.0]
+///     }
+/// }
+///
+/// let solved = conjugate_gradients(
+///     &SecondDifference(3),
+///     &[1.0; 3],
+///     &mut Identity,
+///     &SolveOptions::default(),
+/// );
+/// assert!((solved?.0[1] - 2.0).abs() < 1e-8);
+/// # Ok::<(), octruss_solver::Error>(())
+/// ```
+pub trait Operator<E: Entry = f64>: Sync {
+    /// The rows, and as many columns.
+    fn rows(&self) -> usize;
+
+    /// y = A x.
+    fn apply(&self, x: &[E::Nodal], y: &mut [E::Nodal]);
+
+    /// The diagonal, an entry for each row.
+    fn diagonal(&self) -> Vec<E>;
+
+    /// r = b − A x.
+    fn residual(&self, x: &[E::Nodal], b: &[E::Nodal], r: &mut [E::Nodal]) {
+        self.apply(x, r);
+        r.iter_mut().zip(b).for_each(|(r, b)| *r = b.minus(*r));
+    }
+
+    /// y = A x, and x · y.
+    fn product_dot(&self, x: &[E::Nodal], y: &mut [E::Nodal]) -> f64 {
+        self.apply(x, y);
+        chunk_dot(Nodal::flat(x), Nodal::flat(y))
+    }
+
+    /// d ← `keep` d + `add` D⁻¹ (b − A x), next = x + d.
+    fn chebyshev_step(
+        &self,
+        inverse_diagonal: &[E],
+        (keep, add): (E::Real, E::Real),
+        (x, b): (&[E::Nodal], &[E::Nodal]),
+        (d, next): (&mut [E::Nodal], &mut [E::Nodal]),
+    ) {
+        self.residual(x, b, next);
+        for (((d, next), x), inverse) in d.iter_mut().zip(next).zip(x).zip(inverse_diagonal) {
+            let scaled = inverse.add_product(*next, E::Nodal::default());
+            *d = d.scaled(keep).add_scaled(add, scaled);
+            *next = x.plus(*d);
+        }
+    }
+
+    /// A number that no eigenvalue of D⁻¹A exceeds, if one is known.
+    fn bound(&self, _inverse_diagonal: &[E]) -> Option<f64> {
+        None
+    }
+
+    /// Whether it can be used at all.
+    ///
+    /// # Errors
+    /// Of a matrix that is not square or not finite.
+    fn check(&self) -> Result<(), Error> {
+        Ok(())
+    }
+}
+
+impl<E: Entry> Operator<E> for Csr<E> {
+    fn rows(&self) -> usize {
+        self.rows()
+    }
+
+    fn apply(&self, x: &[E::Nodal], y: &mut [E::Nodal]) {
+        kernels::product(self, x, y);
+    }
+
+    fn diagonal(&self) -> Vec<E> {
+        let on_diagonal = |row: usize| {
+            let (columns, values) = self.row(row);
+            columns.binary_search(&(row as u32)).map_or(E::default(), |at| values[at])
+        };
+        (0..self.rows()).map(on_diagonal).collect()
+    }
+
+    fn residual(&self, x: &[E::Nodal], b: &[E::Nodal], r: &mut [E::Nodal]) {
+        kernels::residual(self, x, b, r);
+    }
+
+    fn product_dot(&self, x: &[E::Nodal], y: &mut [E::Nodal]) -> f64 {
+        kernels::product_dot(self, x, y)
+    }
+
+    fn chebyshev_step(
+        &self,
+        inverse_diagonal: &[E],
+        factors: (E::Real, E::Real),
+        given: (&[E::Nodal], &[E::Nodal]),
+        result: (&mut [E::Nodal], &mut [E::Nodal]),
+    ) {
+        kernels::chebyshev_step((self, inverse_diagonal), factors, given, result);
+    }
+
+    /// max Σ_j ‖D_i⁻¹ A_ij‖ in the maximum norm.
+    fn bound(&self, inverse_diagonal: &[E]) -> Option<f64> {
+        let row = |i: usize| {
+            self.row(i).1.iter().map(|v| inverse_diagonal[i].times(*v).norm()).sum::<f64>()
+        };
+        let largest = map_ranges(self.rows(), |rows| rows.map(row).fold(0.0, f64::max));
+        Some(largest.into_iter().fold(0.0, f64::max))
+    }
+
+    fn check(&self) -> Result<(), Error> {
+        check_size("columns of the matrix", self.columns(), self.rows())?;
+        check_finite("matrix", E::flat(self.values()))
+    }
+}

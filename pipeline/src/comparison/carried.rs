@@ -42,7 +42,7 @@ pub(super) fn carry<E: Entry<Real = f64>>(
     (coarse_hierarchy, coarse): (&Hierarchy, &Discrete<E>),
     context: &Context,
 ) -> Result<Vec<Carried>, Error> {
-    let transfer = coarse_hierarchy.refinements.len();
+    let transfer = coarse_hierarchy.transfers();
     let solutions = (
         solution(options, hierarchy, fine, context)?,
         solution(options, coarse_hierarchy, coarse, context)?,

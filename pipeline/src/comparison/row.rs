@@ -162,7 +162,7 @@ impl<E: Entry<Real = f64>> Level<'_, E> {
             interface_rows: options.interface_rows.0.name(),
             cycle: format!("{}({},{})", shape, cycle.before, cycle.after),
             smoother: options.method_figures(&multigrid, None).smoother_and_degree(),
-            level: self.hierarchy.refinements.len(),
+            level: self.hierarchy.transfers(),
             unknowns: self.discrete.unknowns(),
             iterations: report.as_ref().map(|report| report.iterations),
             mean_reduction: geometric_mean(&factors[MEAN]),

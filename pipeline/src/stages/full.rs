@@ -41,7 +41,7 @@ impl FullTransfer {
     /// carry smooth functions best; on levels that linear refinement left as they
     /// were, quadratic interpolation does.
     fn auto(hierarchy: &Hierarchy) -> Self {
-        if hierarchy.refinements.iter().all(|refinement| refinement.scheme == Scheme::Linear) {
+        if hierarchy.refinements().all(|refinement| refinement.scheme == Scheme::Linear) {
             Self::Quadratic
         } else {
             Self::Scheme
@@ -50,15 +50,15 @@ impl FullTransfer {
 
     /// The matrices of all transfers, coarsest first.
     fn matrices(self, hierarchy: &Hierarchy) -> Vec<Cow<'_, SubdivisionMatrix>> {
-        let topologies = &hierarchy.topologies;
+        let topology = |level: usize| &hierarchy.levels()[level].topology;
         let matrix = |level: usize| match self {
-            Self::Scheme => Cow::Borrowed(&hierarchy.refinements[level].matrix),
+            Self::Scheme => Cow::Borrowed(&hierarchy.refinement(level).matrix),
             Self::Quadratic if level > 0 => {
-                Cow::Owned(quadratic_matrix(&topologies[level - 1], &topologies[level]))
+                Cow::Owned(quadratic_matrix(topology(level - 1), topology(level)))
             }
-            _ => Cow::Owned(linear_matrix(&topologies[level])),
+            _ => Cow::Owned(linear_matrix(topology(level))),
         };
-        (0..hierarchy.refinements.len()).map(matrix).collect()
+        (0..hierarchy.transfers()).map(matrix).collect()
     }
 
     /// One pass of full multigrid with one cycle a level.

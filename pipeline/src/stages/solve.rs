@@ -252,7 +252,14 @@ pub(super) fn solve_in_turn<E: Entry<Real = f64>>(
                 match expand(&of_rows(&at.iterate)) {
                     Ok((values, _)) => {
                         let field = options.problem.field_of(Nodal::flat(&values));
-                        keep(field, &source, at.report.clone(), hierarchy.finest(), &what, context)
+                        keep(
+                            field,
+                            &source,
+                            at.report.clone(),
+                            &hierarchy.finest().mesh,
+                            &what,
+                            context,
+                        )
                     }
                     Err(source) => context.solver(&what, source),
                 }

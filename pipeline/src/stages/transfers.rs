@@ -118,7 +118,7 @@ fn matrix_options(
     hierarchy: &Hierarchy,
     transfer: usize,
 ) -> ProlongationOptions {
-    let (named, made) = (prolongation.scheme(), hierarchy.refinements[transfer].scheme);
+    let (named, made) = (prolongation.scheme(), hierarchy.refinement(transfer).scheme);
     let scheme = if named.name() == made.name() { made } else { named };
     let TransferOptions { affine_correction, interface_rows, .. } = *options;
     ProlongationOptions { scheme, affine_correction, interface_rows }

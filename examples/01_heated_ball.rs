@@ -27,7 +27,9 @@ pub fn main() -> Result<(), Box<dyn std::error::Error>> {
     // 3. The problem: u is fixed on the surface group called "surface".
     let problem = Poisson {
         source: 6.0.into(),
-        fixed: hierarchy.meshes[0]
+        fixed: hierarchy
+            .coarsest()
+            .mesh
             .raw()
             .group_ids(2, "surface")
             .into_iter()
@@ -35,9 +37,9 @@ pub fn main() -> Result<(), Box<dyn std::error::Error>> {
             .collect(),
         ..Poisson::default()
     };
-    let levels = hierarchy.meshes.iter().zip(&hierarchy.topologies);
+    let levels = hierarchy.levels().iter();
     let systems = levels
-        .map(|(mesh, topology)| assemble(mesh, topology, &problem))
+        .map(|level| assemble(&level.mesh, &level.topology, &problem))
         .collect::<Result<Vec<_>, _>>()?;
     let finest = &systems[3];
 
@@ -46,7 +48,7 @@ pub fn main() -> Result<(), Box<dyn std::error::Error>> {
         .rev()
         .map(|l| {
             restrict_to_free(
-                &hierarchy.refinements[l].matrix,
+                &hierarchy.refinement(l).matrix,
                 &systems[l + 1].dofs,
                 &systems[l].dofs,
             )
@@ -61,7 +63,7 @@ pub fn main() -> Result<(), Box<dyn std::error::Error>> {
     // 5. Compare with the exact solution of the ball of the same volume.
     let temperature = finest.expand(&x)?;
     let highest = temperature.iter().copied().fold(0.0, f64::max);
-    let ball = hierarchy.finest();
+    let ball = &hierarchy.finest().mesh;
     let volume: f64 = (0..ball.tets().len()).map(|tet| ball.volume(tet)).sum();
     let radius_squared = (3.0 * volume / (4.0 * std::f64::consts::PI)).cbrt().powi(2);
     println!(

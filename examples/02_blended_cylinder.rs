@@ -47,13 +47,13 @@ fn largest_jumps(scheme: Scheme) -> Result<Vec<f64>, Box<dyn std::error::Error>>
 
     let mut hierarchy = Hierarchy::new(mesh, &FeatureOptions::default());
     let mut density = density.clone();
-    let mut jumps = vec![largest_jump(hierarchy.finest(), &density)];
+    let mut jumps = vec![largest_jump(&hierarchy.finest().mesh, &density)];
     for level in 0..LEVELS {
         hierarchy.subdivide(scheme)?;
         // The matrix that moved the vertices carries the density, too.
-        let matrix = &hierarchy.refinements[level].matrix;
+        let matrix = &hierarchy.refinement(level).matrix;
         density = carry_field(matrix, &density, 1, Overshoot::Allow).values;
-        jumps.push(largest_jump(hierarchy.finest(), &density));
+        jumps.push(largest_jump(&hierarchy.finest().mesh, &density));
     }
     // All weights are positive and sum to one.
     assert!(density.iter().all(|value| (2.7 - 1e-9..7.8 + 1e-9).contains(value)));

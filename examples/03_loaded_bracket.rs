@@ -9,7 +9,7 @@ use octruss_fem::{
     Constraints, Elasticity, Forces, Held, Material, Support, assemble_elasticity,
     restrict_to_free, strains, stresses, von_mises,
 };
-use octruss_mesh::{CheckOptions, FeatureOptions, Hierarchy, Scheme, check};
+use octruss_mesh::{CheckOptions, FeatureOptions, Hierarchy, Level, Scheme, check};
 use octruss_solver::{Multigrid, MultigridOptions, Smoother, SolveOptions, conjugate_gradients};
 
 /// The whole chain in five steps.
@@ -25,25 +25,25 @@ pub fn main() -> Result<(), Box<dyn std::error::Error>> {
     }
 
     // 2. Steel in N and mm, clamped at the bolts, 40 N/mm² on top of the ribs.
-    let surface = |name: &str| hierarchy.meshes[0].raw().group_ids(2, name);
+    let surface = |name: &str| hierarchy.coarsest().mesh.raw().group_ids(2, name);
     let clamp = |surface| Support { surface, held: Held::displacement([0.0; 3]) };
     let problem = Elasticity {
         pressure: surface("load").into_iter().map(|id| (id, 40.0.into())).collect(),
         supports: surface("bolts").into_iter().map(clamp).collect(),
         ..Elasticity::new(Material::new(210e3, 0.3))
     };
-    let levels = hierarchy.meshes.iter().zip(&hierarchy.topologies);
+    let levels = hierarchy.levels().iter();
     let held = levels
-        .map(|(mesh, topology)| Constraints::new(mesh, topology, &problem.supports))
+        .map(|level| Constraints::new(&level.mesh, &level.topology, &problem.supports))
         .collect::<Result<Vec<_>, _>>()?;
-    let (body, topology) = (hierarchy.finest(), &hierarchy.topologies[2]);
+    let Level { mesh: body, topology, .. } = hierarchy.finest();
     let system = assemble_elasticity(body, topology, &problem)?;
 
     // 3. Multigrid from the matrices that refined the mesh, finest transfer first.
     let prolongations = (0..2)
         .rev()
         .map(|l| {
-            let matrix = &hierarchy.refinements[l].matrix;
+            let matrix = &hierarchy.refinement(l).matrix;
             restrict_to_free(matrix, held[l + 1].dofs(), held[l].dofs())
         })
         .collect::<Result<_, _>>()?;

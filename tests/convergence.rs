@@ -67,23 +67,23 @@ impl Study {
         for _ in 0..levels {
             hierarchy.subdivide(scheme).unwrap();
         }
-        let problem = manufactured.problem(&hierarchy.meshes[0]);
-        let levels = hierarchy.meshes.iter().zip(&hierarchy.topologies);
+        let problem = manufactured.problem(&hierarchy.coarsest().mesh);
+        let levels = hierarchy.levels().iter();
         let systems =
-            levels.map(|(mesh, topology)| assemble(mesh, topology, &problem).unwrap()).collect();
+            levels.map(|level| assemble(&level.mesh, &level.topology, &problem).unwrap()).collect();
         Self { hierarchy, systems }
     }
 
     /// The matrices of a scheme up to a level, coarsest first.
     fn matrices(&self, level: usize, scheme: Scheme) -> Vec<SubdivisionMatrix> {
-        let levels = self.hierarchy.meshes.iter().zip(&self.hierarchy.topologies).take(level);
-        levels.map(|(mesh, topology)| subdivision_matrix(mesh, topology, scheme)).collect()
+        let levels = self.hierarchy.levels().iter().take(level);
+        levels.map(|level| subdivision_matrix(&level.mesh, &level.topology, scheme)).collect()
     }
 
     /// Those of quadratic interpolation; the first is linear.
     fn quadratic_matrices(&self, level: usize) -> Vec<SubdivisionMatrix> {
-        let topologies = &self.hierarchy.topologies;
-        let quadratic = topologies[..level].windows(2).map(|p| quadratic_matrix(&p[0], &p[1]));
+        let pairs = self.hierarchy.levels()[..level].windows(2);
+        let quadratic = pairs.map(|p| quadratic_matrix(&p[0].topology, &p[1].topology));
         self.matrices(1, Scheme::Linear).into_iter().chain(quadratic).collect()
     }
 
@@ -122,7 +122,7 @@ impl Study {
 
     /// L2 and H1 errors on one level.
     fn errors(&self, level: usize, exact: &Manufactured) -> [f64; 2] {
-        let (system, mesh) = (&self.systems[level], &self.hierarchy.meshes[level]);
+        let (system, mesh) = (&self.systems[level], &self.hierarchy.levels()[level].mesh);
         let u = system.expand(&self.solution(level, 1e-10)).unwrap();
         [l2_error(mesh, &u, exact.solution), h1_seminorm_error(mesh, &u, exact.gradient)]
     }
@@ -155,7 +155,7 @@ impl Study {
     fn error_ratio(&self, level: usize, x: &[f64], exact: &Manufactured) -> f64 {
         let [found, best] = [x, &self.solution(level, 1e-10)].map(|x| {
             let u = self.systems[level].expand(x).unwrap();
-            l2_error(&self.hierarchy.meshes[level], &u, exact.solution)
+            l2_error(&self.hierarchy.levels()[level].mesh, &u, exact.solution)
         });
         found / best
     }

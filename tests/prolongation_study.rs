@@ -36,7 +36,7 @@ fn refined(mesh: &str, geometry: Scheme, levels: usize, crease_angle: f64) -> Hi
     let options = FeatureOptions { crease_angle, ..FeatureOptions::default() };
     let mut hierarchy = Hierarchy::new(mesh, &options);
     for _ in 0..levels {
-        let floor = usual_floor(hierarchy.finest());
+        let floor = usual_floor(&hierarchy.finest().mesh);
         hierarchy.subdivide(Step { min_quality: Some(floor), ..geometry.into() }).unwrap();
     }
     hierarchy
@@ -59,12 +59,13 @@ fn poisson(hierarchy: Hierarchy, fixed: &[i32], coefficients: &[(i32, f64)]) -> 
         coefficient: ByRegion { default: 1.0.into(), regions },
         ..Poisson::default()
     };
-    let levels = hierarchy.meshes.iter().zip(&hierarchy.topologies);
-    let mut systems: Vec<_> = levels.map(|(m, t)| assemble(m, t, &problem).unwrap()).collect();
+    let levels = hierarchy.levels().iter();
+    let mut systems: Vec<_> =
+        levels.map(|l| assemble(&l.mesh, &l.topology, &problem).unwrap()).collect();
     let dofs = systems.iter().map(|system| system.dofs.clone()).collect();
     let matrix = systems.pop().unwrap().matrix;
     let coarse_matrices = systems.into_iter().map(|system| system.matrix).collect();
-    let projectors = vec![Vec::new(); hierarchy.meshes.len()];
+    let projectors = vec![Vec::new(); hierarchy.levels().len()];
     Study { hierarchy, matrix, coarse_matrices, dofs, projectors }
 }
 
@@ -80,9 +81,9 @@ fn elastic(hierarchy: Hierarchy) -> Study<[[f64; 3]; 3]> {
         springs: Vec::new(),
         supports: vec![Support { surface: 1, held: clamped }],
     };
-    let levels = hierarchy.meshes.iter().zip(&hierarchy.topologies);
+    let levels = hierarchy.levels().iter();
     let mut systems: Vec<_> =
-        levels.map(|(m, t)| assemble_elasticity(m, t, &problem).unwrap()).collect();
+        levels.map(|l| assemble_elasticity(&l.mesh, &l.topology, &problem).unwrap()).collect();
     let constraints = systems.iter().map(|system| &system.constraints);
     let dofs = constraints.clone().map(|held| held.dofs().clone()).collect();
     let projectors = constraints.map(Constraints::projectors).collect();
@@ -128,7 +129,7 @@ impl<E: SystemEntry> Study<E> {
                 coarse_matrix: variant.reassembled.then(|| coarse_matrix.clone()),
             }
         };
-        let transfers = (0..self.hierarchy.refinements.len()).map(transfer).collect();
+        let transfers = (0..self.hierarchy.transfers()).map(transfer).collect();
         Multigrid::with_transfers(&self.matrix, transfers, self.projectors.clone(), cycle).unwrap()
     }
 

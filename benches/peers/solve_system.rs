@@ -5,7 +5,7 @@ use crate::memory;
 use crate::system_files::{Description, array, read_matrix};
 use anyhow::{Context, Result};
 use octruss_solver::{
-    Csr, Entry, Multigrid, MultigridOptions, Nodal, SolveOptions, conjugate_gradients, norm,
+    Csr, Multigrid, MultigridOptions, Nodal, SolveOptions, SystemEntry, conjugate_gradients, norm,
 };
 use serde_json::{Value, json};
 use std::fs;
@@ -26,7 +26,7 @@ pub fn solve(folder: &Path, prolongation: &str) -> Result<Value> {
     }
 }
 
-fn solve_entries<E: Entry<Real = f64>>(
+fn solve_entries<E: SystemEntry>(
     folder: &Path,
     description: &Description,
     prolongation: &str,
@@ -40,6 +40,8 @@ fn solve_entries<E: Entry<Real = f64>>(
     let prolongations = rows[1..]
         .iter()
         .enumerate()
+        // The files have the finest first.
+        .rev()
         .map(|(number, &columns)| read_matrix(folder, &format!("{prolongation}.{number}"), columns))
         .collect::<Result<_>>()?;
     memory::forget_peak()?;

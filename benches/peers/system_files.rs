@@ -6,7 +6,7 @@
 
 use crate::arrays;
 use anyhow::Result;
-use octruss_solver::{Csr, Entry};
+use octruss_solver::{Csr, SystemEntry};
 use serde::{Deserialize, Serialize};
 use std::path::{Path, PathBuf};
 
@@ -38,11 +38,7 @@ pub fn array(folder: &Path, name: &str) -> PathBuf {
 }
 
 /// Writes the three arrays of a matrix.
-pub fn write_matrix<E: Entry<Real = f64>>(
-    folder: &Path,
-    name: &str,
-    matrix: &Csr<E>,
-) -> Result<()> {
+pub fn write_matrix<E: SystemEntry>(folder: &Path, name: &str, matrix: &Csr<E>) -> Result<()> {
     let path = |part: &str| array(folder, &format!("{name}.{part}"));
     let offsets = (0..matrix.rows() + 1).map(|row| matrix.offset(row) as i32);
     arrays::write(&path("offsets"), offsets)?;
@@ -51,11 +47,7 @@ pub fn write_matrix<E: Entry<Real = f64>>(
 }
 
 /// Reads a matrix.
-pub fn read_matrix<E: Entry<Real = f64>>(
-    folder: &Path,
-    name: &str,
-    columns: usize,
-) -> Result<Csr<E>> {
+pub fn read_matrix<E: SystemEntry>(folder: &Path, name: &str, columns: usize) -> Result<Csr<E>> {
     let path = |part: &str| array(folder, &format!("{name}.{part}"));
     let offsets = arrays::read::<i32>(&path("offsets"))?;
     let offsets = offsets.into_iter().map(|offset| offset as usize).collect();

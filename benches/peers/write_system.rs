@@ -9,13 +9,14 @@ use octruss_fem::{
 };
 use octruss_mesh::shapes::kuhn_cube;
 use octruss_mesh::{
-    CheckOptions, FeatureOptions, Hierarchy, Scheme, SubdivisionMatrix, TetMesh, check, prepare,
-    sort_along_curve,
+    CheckOptions, FeatureOptions, Hierarchy, Level, Scheme, SubdivisionMatrix, TetMesh, check,
+    prepare, sort_along_curve,
 };
-use octruss_solver::{Csr, Entry, Nodal};
+use octruss_solver::{Csr, Nodal, SystemEntry};
 use std::borrow::Cow;
 use std::fs;
 use std::path::Path;
+use std::sync::Arc;
 use std::time::Instant;
 
 /// Refines a mesh by the box-spline scheme, which leaves the cube as it is, and
@@ -45,12 +46,12 @@ fn coarsest(name: &str) -> Result<TetMesh> {
 
 /// −Δu = 1, u = 0 on all surfaces.
 fn poisson(hierarchy: &Hierarchy, folder: &Path) -> Result<()> {
-    let surfaces = hierarchy.finest().raw().ids(2);
+    let surfaces = hierarchy.finest().mesh.raw().ids(2);
     let fixed: Vec<_> = surfaces.into_iter().map(|surface| (surface, 0.0.into())).collect();
     let problem = Poisson { source: 1.0.into(), fixed, ..Poisson::default() };
-    let system = assemble(hierarchy.finest(), finest_topology(hierarchy), &problem)?;
-    let dofs = |mesh| Dofs::new(mesh, &problem.fixed);
-    let dofs = hierarchy.meshes.iter().map(dofs).collect::<Result<Vec<_>, _>>()?;
+    let system = assemble(&hierarchy.finest().mesh, &hierarchy.finest().topology, &problem)?;
+    let dofs = |level: &Arc<Level>| Dofs::new(&level.mesh, &problem.fixed);
+    let dofs = hierarchy.levels().iter().map(dofs).collect::<Result<Vec<_>, _>>()?;
     write_all(hierarchy, &dofs, (&system.matrix, &system.rhs), folder)
 }
 
@@ -62,20 +63,17 @@ fn elasticity(hierarchy: &Hierarchy, folder: &Path) -> Result<()> {
         supports: vec![Support { surface: 1, held: Held::displacement([0.0; 3]) }],
         ..Elasticity::new(Material::new(1.0, 0.3))
     };
-    let system = assemble_elasticity(hierarchy.finest(), finest_topology(hierarchy), &problem)?;
-    let levels = hierarchy.meshes.iter().zip(&hierarchy.topologies);
-    let dofs = |(mesh, topology)| {
-        Constraints::new(mesh, topology, &problem.supports).map(|held| held.dofs().clone())
+    let system =
+        assemble_elasticity(&hierarchy.finest().mesh, &hierarchy.finest().topology, &problem)?;
+    let dofs = |level: &Arc<Level>| {
+        let held = Constraints::new(&level.mesh, &level.topology, &problem.supports)?;
+        Ok::<_, octruss_fem::Error>(held.dofs().clone())
     };
-    let dofs = levels.map(dofs).collect::<Result<Vec<_>, _>>()?;
+    let dofs = hierarchy.levels().iter().map(dofs).collect::<Result<Vec<_>, _>>()?;
     write_all(hierarchy, &dofs, (&system.matrix, &system.rhs), folder)
 }
 
-fn finest_topology(hierarchy: &Hierarchy) -> &octruss_mesh::Topology {
-    &hierarchy.topologies[hierarchy.topologies.len() - 1]
-}
-
-fn write_all<E: Entry<Real = f64>>(
+fn write_all<E: SystemEntry>(
     hierarchy: &Hierarchy,
     dofs: &[Dofs],
     (matrix, rhs): (&Csr<E>, &[E::Nodal]),
@@ -83,7 +81,7 @@ fn write_all<E: Entry<Real = f64>>(
 ) -> Result<()> {
     write_matrix(folder, "matrix", matrix)?;
     arrays::write(&array(folder, "rhs"), Nodal::flat(rhs).iter().copied())?;
-    let (points, free) = (hierarchy.finest().points(), dofs[dofs.len() - 1].free());
+    let (points, free) = (hierarchy.finest().mesh.points(), dofs[dofs.len() - 1].free());
     let points: Vec<[f64; 3]> = free.iter().map(|&vertex| points[vertex as usize]).collect();
     arrays::write(&array(folder, "points"), points.as_flattened().iter().copied())?;
     let prolongations = [Scheme::Linear, Scheme::BoxSpline]
@@ -104,7 +102,7 @@ fn write_prolongations(
     folder: &Path,
 ) -> Result<Prolongation> {
     let start = Instant::now();
-    let transfers = 0..hierarchy.refinements.len();
+    let transfers = 0..hierarchy.transfers();
     let matrices: Vec<Cow<SubdivisionMatrix>> =
         transfers.map(|transfer| hierarchy.prolongation(transfer, scheme).matrix).collect();
     let pairs = matrices.iter().zip(dofs.windows(2)).rev();

@@ -18,7 +18,7 @@ use criterion::measurement::WallTime;
 use criterion::{BenchmarkGroup, Criterion, Throughput, criterion_group, criterion_main};
 use octruss_fem::*;
 use octruss_mesh::shapes::kuhn_cube;
-use octruss_mesh::{FeatureOptions, Hierarchy, Scheme, linear_matrix};
+use octruss_mesh::{FeatureOptions, Hierarchy, Level, Scheme, linear_matrix};
 use octruss_solver::*;
 use std::hint::black_box;
 
@@ -37,20 +37,20 @@ fn zero_on_all_sides() -> Vec<(i32, Scalar)> {
 
 fn prolongations(hierarchy: &Hierarchy) -> Vec<Csr<f64>> {
     let dofs: Vec<Dofs> = hierarchy
-        .meshes
+        .levels()
         .iter()
-        .map(|mesh| Dofs::new(mesh, &zero_on_all_sides()).unwrap())
+        .map(|level| Dofs::new(&level.mesh, &zero_on_all_sides()).unwrap())
         .collect();
     let prolongation = |level: usize| {
-        let matrix = linear_matrix(&hierarchy.topologies[level]);
+        let matrix = linear_matrix(&hierarchy.levels()[level].topology);
         restrict_to_free(&matrix, &dofs[level + 1], &dofs[level]).unwrap()
     };
-    (0..hierarchy.refinements.len()).map(prolongation).collect()
+    (0..hierarchy.transfers()).map(prolongation).collect()
 }
 
 fn benchmarks(criterion: &mut Criterion) {
     let hierarchy = hierarchy();
-    let (mesh, topology) = (hierarchy.finest(), hierarchy.topologies.last().unwrap());
+    let Level { mesh, topology, .. } = hierarchy.finest();
     let problem = Poisson { source: 1.0.into(), fixed: zero_on_all_sides(), ..Poisson::default() };
     let system = assemble(mesh, topology, &problem).unwrap();
     let prolongations = prolongations(&hierarchy);
@@ -85,7 +85,7 @@ fn benchmarks(criterion: &mut Criterion) {
 
 /// Products, set-up and cycle for one kind of entries. What each kernel of the cycle
 /// moves and how fast is printed once, beside the copy bandwidth of the same run.
-fn algebra<E: Entry<Real = f64>>(
+fn algebra<E: SystemEntry>(
     kind: &str,
     group: &mut BenchmarkGroup<'_, WallTime>,
     matrix: &Csr<E>,

@@ -3,9 +3,10 @@
 use octruss_fem::Error;
 use octruss_fem::*;
 use octruss_mesh::shapes::kuhn_cube;
-use octruss_mesh::{FeatureOptions, Hierarchy, Scheme};
+use octruss_mesh::{FeatureOptions, Hierarchy, Level, Scheme};
 use octruss_solver::*;
 use std::f64::consts::PI;
+use std::sync::Arc;
 
 /// u = cos πx cos πy cos πz, for which ∂u/∂n and ∂(Δu)/∂n are 0 on the unit cube's sides,
 /// and Δ²u = 9 π⁴ u.
@@ -29,8 +30,9 @@ fn cube(refinements: usize) -> Cube {
         source: ByRegion { default: source, regions: Vec::new() },
         fixed: [1, 2].map(|side| (side, Scalar::function(cosines))).to_vec(),
     };
-    let levels = hierarchy.meshes.iter().zip(&hierarchy.topologies);
-    let systems = levels.map(|(m, t)| assemble_biharmonic(m, t, &problem).unwrap()).collect();
+    let system =
+        |level: &Arc<Level>| assemble_biharmonic(&level.mesh, &level.topology, &problem).unwrap();
+    let systems = hierarchy.levels().iter().map(system).collect();
     Cube { hierarchy, systems }
 }
 
@@ -64,7 +66,11 @@ impl Cube {
         let goal = SolveOptions { tolerance: 1e-10, ..SolveOptions::default() };
         let mut multigrid = self.multigrid(level, Scheme::BoxSpline);
         let (x, _) = conjugate_gradients(matrix, rhs, &mut multigrid, &goal).unwrap();
-        l2_error(&self.hierarchy.meshes[level], &self.systems[level].expand(&x).unwrap(), cosines)
+        l2_error(
+            &self.hierarchy.levels()[level].mesh,
+            &self.systems[level].expand(&x).unwrap(),
+            cosines,
+        )
     }
 }
 

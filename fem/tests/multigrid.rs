@@ -4,7 +4,7 @@
 use octruss_fem::*;
 use octruss_mesh::shapes::kuhn_cube;
 use octruss_mesh::{
-    FeatureOptions, Hierarchy, Scheme, SubdivisionMatrix, linear_matrix, quadratic_matrix,
+    FeatureOptions, Hierarchy, Level, Scheme, SubdivisionMatrix, linear_matrix, quadratic_matrix,
     subdivide,
 };
 use octruss_solver::Error;
@@ -31,11 +31,11 @@ fn cube(refinements: usize, prolong: Scheme) -> Cube {
     }
     let fixed: Vec<(i32, Scalar)> = (1..=6).map(|side| (side, 0.0.into())).collect();
     let dofs: Vec<Dofs> =
-        hierarchy.meshes.iter().map(|mesh| Dofs::new(mesh, &fixed).unwrap()).collect();
+        hierarchy.levels().iter().map(|level| Dofs::new(&level.mesh, &fixed).unwrap()).collect();
     let prolongations: Vec<Csr<f64>> = (0..refinements)
         .map(|level| {
             let matrix = match prolong {
-                Scheme::Linear => linear_matrix(&hierarchy.topologies[level]),
+                Scheme::Linear => linear_matrix(&hierarchy.levels()[level].topology),
                 smooth => scheme_matrix(&hierarchy, level, smooth),
             };
             restrict_to_free(&matrix, &dofs[level + 1], &dofs[level]).unwrap()
@@ -45,12 +45,12 @@ fn cube(refinements: usize, prolong: Scheme) -> Cube {
     let source = ByRegion { default: source, regions: Vec::new() };
     let problem = Poisson { fixed, source, ..Poisson::default() };
     let system =
-        assemble(hierarchy.finest(), hierarchy.topologies.last().unwrap(), &problem).unwrap();
+        assemble(&hierarchy.finest().mesh, &hierarchy.finest().topology, &problem).unwrap();
     Cube { system, prolongations, hierarchy, dofs }
 }
 
 fn scheme_matrix(hierarchy: &Hierarchy, level: usize, scheme: Scheme) -> SubdivisionMatrix {
-    let (mesh, topology) = (&hierarchy.meshes[level], &hierarchy.topologies[level]);
+    let Level { mesh, topology, .. } = &*hierarchy.levels()[level];
     subdivide(mesh, topology, scheme, level + 1).unwrap().2.matrix
 }
 
@@ -255,15 +255,15 @@ fn full_multigrid_ratio(
     carrier: Carrier,
     (options, cycles): (&MultigridOptions, usize),
 ) -> f64 {
-    let topologies = &cube.hierarchy.topologies;
+    let levels = cube.hierarchy.levels();
     let matrix = |coarse: usize| match carrier {
         Carrier::Prolongation => None,
         Carrier::Quadratic if coarse > 0 => {
-            Some(quadratic_matrix(&topologies[coarse - 1], &topologies[coarse]))
+            Some(quadratic_matrix(&levels[coarse - 1].topology, &levels[coarse].topology))
         }
-        _ => Some(linear_matrix(&topologies[coarse])),
+        _ => Some(linear_matrix(&levels[coarse].topology)),
     };
-    let transfers: Vec<Csr<f64>> = (0..topologies.len() - 1)
+    let transfers: Vec<Csr<f64>> = (0..cube.hierarchy.transfers())
         .filter_map(|coarse| {
             let (fine_dofs, coarse_dofs) = (&cube.dofs[coarse + 1], &cube.dofs[coarse]);
             Some(restrict_to_free(&matrix(coarse)?, fine_dofs, coarse_dofs).unwrap())
@@ -275,7 +275,7 @@ fn full_multigrid_ratio(
     let (exact, _) =
         conjugate_gradients(&cube.system.matrix, &cube.system.rhs, &mut multigrid, &goal).unwrap();
     let error =
-        |x: &[f64]| l2_error(cube.hierarchy.finest(), &cube.system.expand(x).unwrap(), sines);
+        |x: &[f64]| l2_error(&cube.hierarchy.finest().mesh, &cube.system.expand(x).unwrap(), sines);
     error(&x) / error(&exact)
 }
 
@@ -338,13 +338,14 @@ fn quadratic_transfer_is_exact_for_quadratics() {
     for _ in 0..2 {
         hierarchy.subdivide(Scheme::Linear).unwrap();
     }
-    let transfer = quadratic_matrix(&hierarchy.topologies[0], &hierarchy.topologies[1]);
+    let transfer =
+        quadratic_matrix(&hierarchy.coarsest().topology, &hierarchy.levels()[1].topology);
     let values = |level: usize| -> Vec<f64> {
         let at = |[x, y, z]: &[f64; 3]| 1.0 + x * y - 3.0 * z * z + x * x + y - z * y;
-        hierarchy.meshes[level].points().iter().map(at).collect()
+        hierarchy.levels()[level].mesh.points().iter().map(at).collect()
     };
     let fine = transfer.apply_field(&values(1), 1);
-    assert_eq!(fine.len(), hierarchy.finest().points().len());
+    assert_eq!(fine.len(), hierarchy.finest().mesh.points().len());
     for (found, exact) in fine.iter().zip(values(2)) {
         assert!((found - exact).abs() < 1e-14);
     }
@@ -359,7 +360,7 @@ fn an_updated_multigrid_is_that_built_anew_to_the_last_bit() {
         let stretched = ByRegion::from(Scalar::function(|[x, y, _]| 1.0 + x + 30.0 * y * y));
         let fixed = (1..=6).map(|side| (side, 0.0.into())).collect();
         let problem = Poisson { coefficient: stretched, fixed, ..Poisson::default() };
-        let (mesh, topology) = (cube.hierarchy.finest(), cube.hierarchy.topologies.last().unwrap());
+        let Level { mesh, topology, .. } = cube.hierarchy.finest();
         let other = assemble(mesh, topology, &problem).unwrap().matrix;
         for (smoother, precision) in [
             (Smoother::CHEBYSHEV, Precision::Single),

@@ -18,14 +18,18 @@ fn case(coarse: TetMesh, problem: &Poisson) -> Case {
     for _ in 0..2 {
         hierarchy.subdivide(Scheme::Linear).unwrap();
     }
-    let dofs: Vec<Dofs> =
-        hierarchy.meshes.iter().map(|mesh| Dofs::new(mesh, &problem.fixed).unwrap()).collect();
+    let dofs: Vec<Dofs> = hierarchy
+        .levels()
+        .iter()
+        .map(|level| Dofs::new(&level.mesh, &problem.fixed).unwrap())
+        .collect();
     let prolongation = |level: usize| {
-        let matrix = linear_matrix(&hierarchy.topologies[level]);
+        let matrix = linear_matrix(&hierarchy.levels()[level].topology);
         restrict_to_free(&matrix, &dofs[level + 1], &dofs[level]).unwrap()
     };
     Case {
-        system: assemble(hierarchy.finest(), &hierarchy.topologies[2], problem).unwrap(),
+        system: assemble(&hierarchy.finest().mesh, &hierarchy.levels()[2].topology, problem)
+            .unwrap(),
         prolongations: [0, 1].map(prolongation).into(),
     }
 }
@@ -194,10 +198,11 @@ fn soft_base(contrast: f64) -> (VectorSystem, Vec<Csr<f64>>) {
         ..Elasticity::new(by_region)
     };
     let system =
-        assemble_elasticity(hierarchy.finest(), &hierarchy.topologies[3], &problem).unwrap();
-    let dofs = |level: usize| Dofs::new(&hierarchy.meshes[level], &[]).unwrap();
+        assemble_elasticity(&hierarchy.finest().mesh, &hierarchy.levels()[3].topology, &problem)
+            .unwrap();
+    let dofs = |level: usize| Dofs::new(&hierarchy.levels()[level].mesh, &[]).unwrap();
     let prolongations = [2, 1, 0].map(|level| {
-        let matrix = linear_matrix(&hierarchy.topologies[level]);
+        let matrix = linear_matrix(&hierarchy.levels()[level].topology);
         restrict_to_free(&matrix, &dofs(level + 1), &dofs(level)).unwrap()
     });
     (system, prolongations.into())

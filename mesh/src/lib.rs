@@ -29,7 +29,7 @@ pub use core::tet_mesh::TetMesh;
 pub use core::topology::Topology;
 pub use core::{components, reference_tet, shapes, strata, topology};
 pub use features::{ExtraFeatures, FeatureError, FeatureOptions, FeatureReasons, Reason, prepare};
-pub use hierarchy::Hierarchy;
+pub use hierarchy::{Hierarchy, Level};
 pub use marking::{Marking, MarkingReport, marking_report};
 pub use refinement::carry::{Carried, Overshoot, carry_field};
 pub use refinement::sided_field::Sides;

@@ -56,7 +56,7 @@ fn the_result_does_not_depend_on_the_marking() {
         let tets = tets.map(|(tet, pair)| MARKING_PERMUTATIONS[pair].map(|v| tet[v])).collect();
         let mut levels = hierarchy(as_ordered(cube.points().to_vec(), tets));
         (0..3).for_each(|_| levels.subdivide(Scheme::Averaged).unwrap());
-        let mut points = levels.finest().points().to_vec();
+        let mut points = levels.finest().mesh.points().to_vec();
         // Vertices are numbered along the marks; their places are not: compare
         // them sorted, with coordinates equal up to rounding taken as equal.
         let rounded = |p: &[f64; 3]| p.map(|x| (x * 1e9).round() as i64);

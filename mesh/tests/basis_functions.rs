@@ -19,7 +19,7 @@ fn basis_functions_add_up_to_one() {
         let mut hierarchy = Hierarchy::new(shapes::five_tet_cube(), &FeatureOptions::default());
         (0..2).for_each(|_| hierarchy.subdivide(scheme).unwrap());
         let all = (0..8).map(|vertex| basis_function(&hierarchy, 0, vertex).unwrap());
-        let mut sums = vec![0.0; hierarchy.finest().points().len()];
+        let mut sums = vec![0.0; hierarchy.finest().mesh.points().len()];
         all.for_each(|values| sums.iter_mut().zip(values).for_each(|(sum, v)| *sum += v));
         assert!(sums.iter().all(|sum| (sum - 1.0).abs() < 1e-14), "{scheme:?}");
     }
@@ -44,7 +44,7 @@ fn the_box_spline_falls_to_its_limit_value() {
 fn the_interpolatory_function_is_one_at_its_vertex_and_zero_at_the_others() {
     let (hierarchy, vertex) = block(4, Scheme::INTERPOLATORY, 2);
     let values = basis_function(&hierarchy, 0, vertex).unwrap();
-    for v in 0..hierarchy.meshes[0].points().len() {
+    for v in 0..hierarchy.coarsest().mesh.points().len() {
         assert_eq!(values[v], f64::from(u8::from(v == vertex as usize)));
     }
     // It overshoots: the mask has weights −1/16.
@@ -62,7 +62,7 @@ fn second_differences_of_the_interpolatory_function_decay_as_known() {
         let side = 6 * steps + 1;
         let mut lattice = vec![0.0; side.pow(3)];
         let number = |p: [usize; 3]| (p[0] * side + p[1]) * side + p[2];
-        for (point, value) in hierarchy.finest().points().iter().zip(values) {
+        for (point, value) in hierarchy.finest().mesh.points().iter().zip(values) {
             lattice[number(point.map(|x| (x * steps as f64).round() as usize))] = value;
         }
         let mut largest = 0.0f64;
@@ -85,8 +85,8 @@ fn second_differences_of_the_interpolatory_function_decay_as_known() {
 fn a_line_through_the_vertex_shows_the_hat_function() {
     let (hierarchy, vertex) = block(4, Scheme::Linear, 2);
     let values = basis_function(&hierarchy, 0, vertex).unwrap();
-    let through = hierarchy.finest().points()[vertex as usize];
-    let line = sample_line(hierarchy.finest(), &values, through, [0.0, 2.0, 0.0], 100);
+    let through = hierarchy.finest().mesh.points()[vertex as usize];
+    let line = sample_line(&hierarchy.finest().mesh, &values, through, [0.0, 2.0, 0.0], 100);
     assert!(line.is_sorted_by(|a, b| a.distance < b.distance));
     for sample in &line {
         let expected = (1.0 - sample.distance.abs()).max(0.0);
@@ -96,7 +96,7 @@ fn a_line_through_the_vertex_shows_the_hat_function() {
     // The block ends at distance 2; its far corners are √12 away.
     let inside = (2.0 / 12.0f64.sqrt() * 100.0) as usize;
     assert_eq!(line.len(), 2 * inside + 1);
-    assert_eq!(sample_line(hierarchy.finest(), &values, through, [0.0; 3], 9).len(), 1);
+    assert_eq!(sample_line(&hierarchy.finest().mesh, &values, through, [0.0; 3], 9).len(), 1);
 }
 
 #[test]

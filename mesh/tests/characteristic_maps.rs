@@ -69,7 +69,8 @@ fn a_map_that_is_not_defined_is_said_to_be_so() {
     let ten = verdict(&stack(4, 2), 0, Scheme::BoxSpline);
     assert!(ten.separated, "{ten:?}");
     // A sharp corner's block has four rows, all fixed by the corner.
-    let corner = verdict(&common::hierarchy(shapes::kuhn_cube(1)).meshes[0], 1, Scheme::BoxSpline);
+    let corner =
+        verdict(&common::hierarchy(shapes::kuhn_cube(1)).coarsest().mesh, 1, Scheme::BoxSpline);
     assert!(corner.convergent, "{corner:?}");
 }
 

@@ -4,7 +4,7 @@
 use std::collections::BTreeMap;
 
 use octruss_mesh::{
-    CheckOptions, ExtraFeatures, FeatureOptions, FeatureReasons, Hierarchy, RawMesh, Reason,
+    CheckOptions, ExtraFeatures, FeatureOptions, FeatureReasons, Hierarchy, Level, RawMesh, Reason,
     Scheme, Strata, check, shapes,
 };
 
@@ -24,7 +24,7 @@ struct Explained {
 fn explain(raw: RawMesh, options: FeatureOptions) -> Explained {
     let mesh = check(raw, &CheckOptions::default()).unwrap().mesh;
     let hierarchy = Hierarchy::new(mesh, &options);
-    let (mesh, topology) = (&hierarchy.meshes[0], &hierarchy.topologies[0]);
+    let Level { mesh, topology, .. } = hierarchy.coarsest();
     let reasons = FeatureReasons::new(mesh, topology, Some(&options));
     Explained { hierarchy, reasons }
 }
@@ -91,9 +91,9 @@ fn every_reason_is_told() {
         [("asked-for", 1), ("point-group", 2), ("curves-meet", 8 + 4), ("loose-end", 2)].into()
     );
     // They are the strata, part for part.
-    let topology = &hierarchy.topologies[0];
-    let features = hierarchy.meshes[0].features().unwrap();
-    let strata = Strata::new(hierarchy.meshes[0].raw(), topology, features);
+    let topology = &hierarchy.coarsest().topology;
+    let features = hierarchy.coarsest().mesh.features().unwrap();
+    let strata = Strata::new(hierarchy.coarsest().mesh.raw(), topology, features);
     let curves = topology.edges().iter().zip(&strata.edge_dimensions);
     let curves = curves.filter(|(_, dimension)| **dimension == 1).map(|(&ends, _)| ends);
     assert!(reasons.curves.iter().map(|curve| curve.0).eq(curves));
@@ -133,8 +133,8 @@ fn features_from_a_file_are_recorded() {
     let options = FeatureOptions::default();
     let mut hierarchy = explain(cube(), options.clone()).hierarchy;
     hierarchy.subdivide(Scheme::Linear).unwrap();
-    let fine = Hierarchy::new(hierarchy.finest().clone(), &options);
-    let reasons = FeatureReasons::new(fine.finest(), &fine.topologies[0], None);
+    let fine = Hierarchy::new(hierarchy.finest().mesh.clone(), &options);
+    let reasons = FeatureReasons::new(&fine.finest().mesh, &fine.coarsest().topology, None);
     assert_eq!(count(&reasons.curves), [("recorded", 96)].into());
     assert_eq!(count(&reasons.points), [("curves-meet", 8)].into());
 }

@@ -26,7 +26,7 @@ fn smallest_over_levels(start: TetMesh, levels: usize) -> Vec<f64> {
     for _ in 0..levels {
         let mut step = Hierarchy::new(with_flat_boundary(&mesh), &FeatureOptions::default());
         step.subdivide(Scheme::BoxSpline).unwrap();
-        mesh = step.meshes.pop().unwrap();
+        mesh = step.into_finest().mesh;
         smallest.push(quality::smallest_mean_ratio(mesh.raw()));
     }
     smallest

@@ -56,7 +56,7 @@ fn compare_levels(name: &str, start: &Hierarchy) {
         let mut levels = start.clone();
         for level in 1..=2 {
             levels.subdivide(scheme).unwrap();
-            compare(&format!("{name}-{}-{level}", scheme.name()), levels.finest());
+            compare(&format!("{name}-{}-{level}", scheme.name()), &levels.finest().mesh);
         }
     }
 }

@@ -27,14 +27,14 @@ fn a_smooth_tet_stays_above_the_floor_where_unguarded_it_falls_below() {
     for _ in 0..4 {
         free.subdivide(Scheme::LOOP_SOLID).unwrap();
     }
-    assert!(eta_min(free.finest()) < 0.04);
+    assert!(eta_min(&free.finest().mesh) < 0.04);
     for scheme in [Scheme::LOOP_SOLID, Scheme::BoxSpline] {
         let levels = guarded(smooth(shapes::regular_tet()), scheme, 0.5, 4);
-        for mesh in &levels.meshes {
+        for mesh in levels.levels().iter().map(|level| &level.mesh) {
             assert!(eta_min(mesh) >= 0.5 - 1e-9, "{}", eta_min(mesh));
         }
-        let report = levels.refinements[3].guard.unwrap();
-        let all = levels.refinements[3].matrix.rows();
+        let report = levels.refinement(3).guard.unwrap();
+        let all = levels.refinement(3).matrix.rows();
         assert!(report.pulled_back > 0 && report.pulled_back < all / 3, "{report:?} of {all}");
     }
 }
@@ -45,8 +45,8 @@ fn a_mesh_above_the_floor_is_left_as_it_is() {
     let mut free = Hierarchy::new(shapes::kuhn_cube(2), &FeatureOptions::default());
     free.subdivide(Scheme::BoxSpline).unwrap();
     free.subdivide(Scheme::BoxSpline).unwrap();
-    assert_eq!(levels.finest(), free.finest());
-    assert_eq!(levels.refinements[1].guard.unwrap().pulled_back, 0);
+    assert_eq!(&levels.finest().mesh, &free.finest().mesh);
+    assert_eq!(levels.refinement(1).guard.unwrap().pulled_back, 0);
 }
 
 #[test]
@@ -62,14 +62,14 @@ fn an_impossible_floor_ends_in_the_linear_rule() {
             .map(|t| lattice_mean_ratio(mesh.corners(t)))
             .fold(f64::INFINITY, f64::min)
     };
-    assert!(worst(levels.finest()) >= worst(linear.finest()) - 1e-8);
+    assert!(worst(&levels.finest().mesh) >= worst(&linear.finest().mesh) - 1e-8);
 }
 
 #[test]
 fn the_matrix_moves_with_the_points() {
     let levels = guarded(smooth(shapes::regular_tet()), Scheme::BoxSpline, 0.6, 3);
     for transfer in 0..3 {
-        let matrix = &levels.refinements[transfer].matrix;
+        let matrix = &levels.refinement(transfer).matrix;
         assert!(levels.affine_defect(transfer, matrix) < 1e-14);
         for row in 0..matrix.rows() {
             assert!((matrix.row(row).1.iter().sum::<f64>() - 1.0).abs() < 1e-14);
@@ -93,7 +93,11 @@ fn a_jittered_block_stays_above_half_its_quality_under_every_scheme() {
             let mut levels = Hierarchy::new(mesh.clone(), &options);
             for _ in 0..3 {
                 levels.subdivide(Step { min_quality: Some(floor), ..scheme.into() }).unwrap();
-                assert!(eta_min(levels.finest()) >= floor * (1.0 - 1e-8), "{}", scheme.name());
+                assert!(
+                    eta_min(&levels.finest().mesh) >= floor * (1.0 - 1e-8),
+                    "{}",
+                    scheme.name()
+                );
             }
         }
     }
@@ -116,7 +120,7 @@ fn the_floor_holds_where_each_level_takes_the_shortest_diagonals() {
         for _ in 0..4 {
             let step = Step { diagonal, min_quality: Some(floor), ..scheme.into() };
             levels.subdivide(step).unwrap();
-            let eta = eta_min(levels.finest());
+            let eta = eta_min(&levels.finest().mesh);
             assert!(eta >= floor * (1.0 - 1e-8), "{}: {eta} below {floor}", scheme.name());
         }
     }

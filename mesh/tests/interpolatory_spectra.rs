@@ -70,8 +70,8 @@ fn a_face_with_conflicting_marks_converges() {
     let mut levels = common::hierarchy(mesh);
     (0..2).for_each(|_| levels.subdivide(Scheme::Linear).unwrap());
     let inside = |p: &[f64; 3]| *p == [0.25, 0.25, 0.0];
-    let vertex = levels.finest().points().iter().position(inside).unwrap() as u32;
-    let local = at_vertex(levels.finest(), vertex, Scheme::INTERPOLATORY);
+    let vertex = levels.finest().mesh.points().iter().position(inside).unwrap() as u32;
+    let local = at_vertex(&levels.finest().mesh, vertex, Scheme::INTERPOLATORY);
     assert_spectrum(&local, &[1.0, 0.48657, 0.47026, 0.47026, 0.46641], 6e-6, "conflict");
     assert!(local.spectrum().unwrap().is_convergent());
 }

@@ -5,8 +5,8 @@ mod common;
 
 use common::random_block::blocks;
 use octruss_mesh::{
-    CheckOptions, FeatureOptions, Hierarchy, Scheme, SubdivideError, TetMesh, Topology, check,
-    shapes, subdivision_matrix,
+    CheckOptions, FeatureOptions, Hierarchy, Level, Scheme, SubdivideError, TetMesh, Topology,
+    check, shapes, subdivision_matrix,
 };
 use proptest::prelude::*;
 
@@ -39,7 +39,8 @@ proptest! {
     #[test]
     fn topology_from_the_parents_equals_topology_from_scratch(mesh in blocks()) {
         let levels = subdivided(&mesh, &[Scheme::Linear, Scheme::Linear]).expect("midpoints invert nothing");
-        for (mesh, topology) in levels.meshes.iter().zip(&levels.topologies) {
+        for level in levels.levels() {
+            let Level { mesh, topology, .. } = &**level;
             prop_assert!(*topology == Topology::new(mesh.raw()));
         }
     }
@@ -48,7 +49,7 @@ proptest! {
     fn rows_sum_to_one_and_boundary_rows_read_boundary_only(mesh in blocks(), group_curves: bool, group_borders: bool) {
         let options = FeatureOptions { group_curves, group_borders, ..FeatureOptions::default() };
         let levels = Hierarchy::new(mesh, &options);
-        let (mesh, topology) = (&levels.meshes[0], &levels.topologies[0]);
+        let Level { mesh, topology, .. } = levels.coarsest();
         let on_boundary = boundary_vertices(topology);
         let mut boundary_edges = vec![false; topology.edges().len()];
         for face in (0..topology.faces().len()).filter(|&f| topology.is_boundary(f)) {
@@ -74,11 +75,11 @@ proptest! {
     #[test]
     fn tags_regions_and_volume_survive_a_linear_split(mesh in blocks()) {
         let levels = subdivided(&mesh, &[Scheme::Linear]).expect("midpoints invert nothing");
-        let (coarse, fine) = (&levels.meshes[0], levels.finest());
-        let topology = &levels.topologies[1];
+        let (coarse, fine) = (&levels.coarsest().mesh, &levels.finest().mesh);
+        let topology = &levels.levels()[1].topology;
         prop_assert_eq!(fine.groups(), coarse.groups());
         for (t, &region) in fine.regions().iter().enumerate() {
-            prop_assert_eq!(region, coarse.regions()[levels.refinements[0].parent(t)]);
+            prop_assert_eq!(region, coarse.regions()[levels.refinement(0).parent(t)]);
             prop_assert!((8.0 * fine.volume(t) - coarse.volume(t / 8)).abs() < 1e-12);
         }
         for id in coarse.triangles().ids() {
@@ -103,7 +104,7 @@ proptest! {
         let run = |threads: usize| {
             let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
             pool.install(|| subdivided(&mesh, &[Scheme::BoxSpline, Scheme::Linear]).map(|levels| {
-                (levels.finest().clone(), levels.topologies[2].clone(), levels.refinements[0].matrix.clone())
+                (levels.finest().mesh.clone(), levels.levels()[2].topology.clone(), levels.refinement(0).matrix.clone())
             }))
         };
         let one = run(1);
@@ -122,8 +123,8 @@ fn many_chunks_are_the_same_bits_for_any_number_of_threads() {
         let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
         pool.install(|| {
             let levels = subdivided(&mesh, &[Scheme::BoxSpline]).expect("little displaced");
-            let topology = Topology::new(levels.finest().raw());
-            (levels.finest().clone(), topology, levels.refinements[0].matrix.clone())
+            let topology = Topology::new(levels.finest().mesh.raw());
+            (levels.finest().mesh.clone(), topology, levels.refinement(0).matrix.clone())
         })
     };
     let one = run(1);

@@ -78,10 +78,10 @@ proptest! {
         let (Ok(plain), Ok(sorted)) = (refined(prepared), refined(sorted)) else {
             return Ok(()); // both or none: rounding cannot tell, tets may fold
         };
-        for (child, tet) in sorted.finest().tets().iter().enumerate() {
+        for (child, tet) in sorted.finest().mesh.tets().iter().enumerate() {
             let old = 8 * from.tets[child / 8] as usize + child % 8;
-            for (&v, &w) in tet.iter().zip(&plain.finest().tets()[old]) {
-                let pair = [sorted.finest().points()[v as usize], plain.finest().points()[w as usize]];
+            for (&v, &w) in tet.iter().zip(&plain.finest().mesh.tets()[old]) {
+                let pair = [sorted.finest().mesh.points()[v as usize], plain.finest().mesh.points()[w as usize]];
                 for k in 0..3 {
                     prop_assert!((pair[0][k] - pair[1][k]).abs() < 1e-12, "{:?}", pair);
                 }

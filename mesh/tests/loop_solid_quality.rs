@@ -11,7 +11,7 @@ fn qualities(mesh: TetMesh, scheme: Scheme, levels: usize) -> Vec<(f64, f64)> {
     (0..levels)
         .map(|_| {
             hierarchy.subdivide(scheme).unwrap();
-            let summary = quality::summarise(hierarchy.finest().raw()).unwrap();
+            let summary = quality::summarise(hierarchy.finest().mesh.raw()).unwrap();
             (summary.eta.min, summary.eta.mean)
         })
         .collect()
@@ -32,7 +32,7 @@ fn compare(found: &[(f64, f64)], minima: &[f64], means: &[f64], mean_tolerance: 
 fn forty_tets() -> TetMesh {
     let mut levels = hierarchy(shapes::five_tet_cube());
     levels.subdivide(Scheme::Linear).unwrap();
-    smooth(levels.finest().clone())
+    smooth(levels.finest().mesh.clone())
 }
 
 #[test]

@@ -173,7 +173,7 @@ fn reports_foretell_the_edges_of_the_split_mesh() {
         let options = FeatureOptions { marking, ..FeatureOptions::default() };
         let mut levels = Hierarchy::new(mesh, &options);
         levels.subdivide(Scheme::Linear).unwrap();
-        let [before, after] = [0, 1].map(|level| marking_report(&levels.topologies[level]));
+        let [before, after] = [0, 1].map(|level| marking_report(&levels.levels()[level].topology));
         assert_eq!(before.split_edge_valences, after.edge_valences);
         // A conflict in a face is handed on to its four parts; inside the tets
         // nothing conflicts.
@@ -191,7 +191,7 @@ fn valences_in_a_face(second: [u32; 4]) -> Vec<Vec<(usize, usize)>> {
     let mut found = Vec::new();
     for level in 1..=3 {
         levels.subdivide(Scheme::Linear).unwrap();
-        let (mesh, topology) = (levels.finest(), &levels.topologies[level]);
+        let (mesh, topology) = (&levels.finest().mesh, &levels.levels()[level].topology);
         let in_face = |v: u32| mesh.points()[v as usize][2] == 0.0;
         let on_border = |v: u32| {
             let [x, y, _] = mesh.points()[v as usize];

@@ -4,16 +4,16 @@ mod common;
 
 use common::{hierarchy, smooth};
 use octruss_mesh::{
-    FeatureOptions, Hierarchy, MarkedRule, Scheme, TetMesh, shapes, subdivision_matrix,
+    FeatureOptions, Hierarchy, Level, MarkedRule, Scheme, TetMesh, shapes, subdivision_matrix,
 };
 
 /// The highest degree, up to 4, whose monomials a step reproduces at the new
 /// vertices in the middle cells of a Kuhn block.
 fn degree(scheme: Scheme) -> usize {
     let mut levels = hierarchy(smooth(shapes::kuhn_box([6; 3], [6.0; 3])));
-    let matrix = subdivision_matrix(&levels.meshes[0], &levels.topologies[0], scheme);
+    let matrix = subdivision_matrix(&levels.coarsest().mesh, &levels.coarsest().topology, scheme);
     levels.subdivide(Scheme::Linear).unwrap();
-    let [coarse, fine] = [0, 1].map(|level| levels.meshes[level].points());
+    let [coarse, fine] = [0, 1].map(|level| levels.levels()[level].mesh.points());
     // Odd powers about the middle vanish there by symmetry: shifted a little.
     let monomial = |[i, j, k]: [i32; 3], p: &[f64; 3]| {
         (p[0] - 2.7).powi(i) * (p[1] - 3.1).powi(j) * (p[2] - 3.4).powi(k)
@@ -50,7 +50,7 @@ fn the_degrees_on_the_lattice_are_the_known_ones() {
 fn defect(mesh: TetMesh, scheme: Scheme) -> f64 {
     let mut levels = Hierarchy::new(mesh, &FeatureOptions::default());
     levels.subdivide(Scheme::Linear).unwrap();
-    let matrix = subdivision_matrix(&levels.meshes[0], &levels.topologies[0], scheme);
+    let matrix = subdivision_matrix(&levels.coarsest().mesh, &levels.coarsest().topology, scheme);
     levels.affine_defect(0, &matrix)
 }
 
@@ -64,14 +64,14 @@ fn the_interpolatory_scheme_is_linearly_exact_up_to_creased_boundaries() {
     // On the mesh that the step makes, too: it is a block again.
     let mut levels = Hierarchy::new(shapes::kuhn_box([4; 3], [4.0; 3]), &FeatureOptions::default());
     levels.subdivide(Scheme::INTERPOLATORY).unwrap();
-    assert!(defect(levels.finest().clone(), Scheme::INTERPOLATORY) < 1e-14);
+    assert!(defect(levels.finest().mesh.clone(), Scheme::INTERPOLATORY) < 1e-14);
 }
 
 #[test]
 fn ghosts_keep_linear_functions_beside_a_smooth_boundary() {
     // Without creases the boundary rounds off; rows of interior edges stay exact.
     let mut levels = hierarchy(smooth(shapes::kuhn_box([4; 3], [4.0; 3])));
-    let (mesh, topology) = (&levels.meshes[0], &levels.topologies[0]);
+    let Level { mesh, topology, .. } = levels.coarsest();
     let matrix = subdivision_matrix(mesh, topology, Scheme::INTERPOLATORY);
     let points = matrix.apply(mesh.points());
     let (n, edges) = (mesh.points().len(), topology.edges().to_vec());
@@ -79,7 +79,7 @@ fn ghosts_keep_linear_functions_beside_a_smooth_boundary() {
     levels.subdivide(Scheme::Linear).unwrap();
     let mut interior = 0;
     for edge in (0..edges.len()).filter(|&edge| !on_boundary[edge]) {
-        let (found, expected) = (points[n + edge], levels.finest().points()[n + edge]);
+        let (found, expected) = (points[n + edge], levels.finest().mesh.points()[n + edge]);
         assert!((0..3).all(|k| (found[k] - expected[k]).abs() < 1e-14), "edge {:?}", edges[edge]);
         interior += 1;
     }

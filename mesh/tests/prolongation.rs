@@ -60,7 +60,7 @@ fn the_scheme_that_made_the_mesh_needs_no_correction() {
         let defect = hierarchy.affine_defect(1, &own.matrix);
         assert!(defect <= 1e-12, "{defect}");
         assert_eq!(own.corrected, Default::default());
-        assert_eq!(*own.matrix, hierarchy.refinements[1].matrix);
+        assert_eq!(*own.matrix, hierarchy.refinement(1).matrix);
     }
     let auto = hierarchy.prolongation(1, Scheme::BoxSpline);
     assert!(matches!(auto.matrix, Cow::Borrowed(_)));
@@ -77,7 +77,7 @@ fn only_what_needs_it_is_corrected_automatically() {
     // The baseline: linear interpolation stays linear, unless it is asked for.
     let linear = curved.prolongation(1, Scheme::Linear);
     assert!(curved.affine_defect(1, &linear.matrix) > 1e-3 && linear.defect_before.is_none());
-    assert_eq!(*linear.matrix, linear_matrix(&curved.topologies[1]));
+    assert_eq!(*linear.matrix, linear_matrix(&curved.levels()[1].topology));
     let on = curved.prolongation(1, options(Scheme::Linear, AffineCorrection::On));
     assert!(curved.affine_defect(1, &on.matrix) < NEGLIGIBLE_DEFECT);
     assert!(on.corrected.extended > 0);
@@ -108,12 +108,12 @@ fn rows_on_interfaces_can_be_linear() {
     raw.regions = raw.tets.iter().map(|tet| i32::from(is_upper(tet))).collect();
     let mesh = octruss_mesh::check(raw, &Default::default()).unwrap().mesh;
     let hierarchy = refined(mesh, Scheme::Linear);
-    let linear = linear_matrix(&hierarchy.topologies[1]);
+    let linear = linear_matrix(&hierarchy.levels()[1].topology);
     let [strata, interface] = InterfaceRows::ALL.map(|interface_rows| {
         let options = ProlongationOptions { interface_rows, ..Scheme::BoxSpline.into() };
         hierarchy.prolongation(1, options).matrix
     });
-    for (row, [.., z]) in hierarchy.meshes[2].points().iter().enumerate() {
+    for (row, [.., z]) in hierarchy.levels()[2].mesh.points().iter().enumerate() {
         let expected = if *z == 1.0 { linear.row(row) } else { strata.row(row) };
         assert_eq!(interface.row(row), expected);
     }

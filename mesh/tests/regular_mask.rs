@@ -33,11 +33,12 @@ fn the_column_of_an_interior_vertex_is_the_generating_function() {
     let n = 4;
     let mut hierarchy = Hierarchy::new(shapes::kuhn_cube(n), &FeatureOptions::default());
     hierarchy.subdivide(Scheme::BoxSpline).unwrap();
-    let centre = hierarchy.meshes[0].points().iter().position(|p| *p == [0.5; 3]).unwrap() as u32;
+    let centre =
+        hierarchy.coarsest().mesh.points().iter().position(|p| *p == [0.5; 3]).unwrap() as u32;
     let mask = generating_function();
     let mut nonzeros = 0;
-    for (row, point) in hierarchy.finest().points().iter().enumerate() {
-        let (columns, weights) = hierarchy.refinements[0].matrix.row(row);
+    for (row, point) in hierarchy.finest().mesh.points().iter().enumerate() {
+        let (columns, weights) = hierarchy.refinement(0).matrix.row(row);
         let weight = columns.binary_search(&centre).map_or(0.0, |at| weights[at]);
         // Doubled lattice coordinates about the centre, shifted to exponents.
         let [i, j, k] = point.map(|x| ((x - 0.5) * 2.0 * f64::from(n)).round() as i32 + 2);
@@ -69,6 +70,6 @@ fn a_creased_kuhn_block_is_reproduced_exactly() {
         hierarchy
     });
     let [linear, box_spline] = &mut levels;
-    assert_eq!(linear.finest(), box_spline.finest());
-    assert_eq!(linear.meshes[0].features().unwrap().creases.len(), 12 * 4);
+    assert_eq!(&linear.finest().mesh, &box_spline.finest().mesh);
+    assert_eq!(linear.coarsest().mesh.features().unwrap().creases.len(), 12 * 4);
 }

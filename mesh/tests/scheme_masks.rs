@@ -19,11 +19,11 @@ fn compare<K: PartialEq + std::fmt::Debug>(
     expected: &[Class<K>],
 ) {
     let mut levels = hierarchy(mesh);
-    let matrix = subdivision_matrix(&levels.meshes[0], &levels.topologies[0], scheme);
+    let matrix = subdivision_matrix(&levels.coarsest().mesh, &levels.coarsest().topology, scheme);
     levels.subdivide(Scheme::Linear).unwrap();
-    let centre = levels.meshes[0].points()[vertex as usize];
+    let centre = levels.coarsest().mesh.points()[vertex as usize];
     let mut counts = vec![0; expected.len()];
-    for (row, point) in levels.finest().points().iter().enumerate() {
+    for (row, point) in levels.finest().mesh.points().iter().enumerate() {
         let (columns, weights) = matrix.row(row);
         let weight = columns.binary_search(&vertex).map_or(0.0, |at| weights[at]);
         let place = class([0, 1, 2].map(|k| point[k] - centre[k]));
@@ -97,7 +97,7 @@ fn the_averaged_scheme_has_its_mask() {
     // with an even sum of coordinates, in units of 1/4; offsets in half units.
     let mut levels = hierarchy(shapes::regular_tet());
     (0..3).for_each(|_| levels.subdivide(Scheme::Linear).unwrap());
-    let mesh = levels.finest().clone();
+    let mesh = levels.finest().mesh.clone();
     let middle = mesh.points().iter().position(|p| *p == [0.0; 3]).unwrap() as u32;
     let class = |offset: [f64; 3]| {
         let mut sorted = offset.map(|x| (8.0 * x.abs()).round() as i32);

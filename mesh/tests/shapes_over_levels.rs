@@ -16,7 +16,7 @@ fn red_splits_of_the_regular_tet_have_wangs_quality() {
     let mut levels = hierarchy(shapes::regular_tet());
     for mean in [0.928571, 0.910714, 0.906250, 0.905134] {
         levels.subdivide(Scheme::Linear).unwrap();
-        let (minimum, found) = eta(levels.finest());
+        let (minimum, found) = eta(&levels.finest().mesh);
         assert!((minimum - 0.857143).abs() < 5e-7);
         assert!((found - mean).abs() < 6e-7, "{found} against {mean}");
     }
@@ -27,7 +27,7 @@ fn one_split_of_the_five_tet_cube_is_the_start_of_wangs_table() {
     // Table 3-7 starts from the cube split once: minimum .687230, mean .810330.
     let mut levels = hierarchy(shapes::five_tet_cube());
     levels.subdivide(Scheme::Linear).unwrap();
-    let (minimum, mean) = eta(levels.finest());
+    let (minimum, mean) = eta(&levels.finest().mesh);
     assert!((minimum - 0.687230).abs() < 5e-7);
     assert!((mean - 0.810330).abs() < 5e-7);
 }
@@ -37,10 +37,10 @@ fn a_smooth_regular_tet_shrinks_as_loops_scheme_says() {
     // The enclosed volume depends on the boundary only: 5/64 at level 1.
     let mut levels = hierarchy(smooth(shapes::regular_tet()));
     let volume = |mesh: &TetMesh| (0..mesh.tets().len()).map(|t| mesh.volume(t)).sum::<f64>();
-    let initial = volume(levels.finest());
+    let initial = volume(&levels.finest().mesh);
     for ratio in [0.078125, 0.0464172363281, 0.0404442325234, 0.0390700802618, 0.0387338496054] {
         levels.subdivide(Scheme::BoxSpline).unwrap();
-        assert!((volume(levels.finest()) / initial - ratio).abs() < 1e-12);
+        assert!((volume(&levels.finest().mesh) / initial - ratio).abs() < 1e-12);
     }
 }
 
@@ -49,10 +49,10 @@ fn two_levels_at_once_are_one_level_twice() {
     let options = FeatureOptions::default();
     let mut at_once = Hierarchy::new(shapes::five_tet_cube(), &options);
     at_once.subdivide(Scheme::BoxSpline).unwrap();
-    let mut again = Hierarchy::new(at_once.finest().clone(), &options);
+    let mut again = Hierarchy::new(at_once.finest().mesh.clone(), &options);
     at_once.subdivide(Scheme::BoxSpline).unwrap();
     again.subdivide(Scheme::BoxSpline).unwrap();
-    assert_eq!(at_once.finest(), again.finest());
+    assert_eq!(&at_once.finest().mesh, &again.finest().mesh);
 }
 
 #[test]

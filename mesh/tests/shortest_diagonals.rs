@@ -29,7 +29,7 @@ fn the_smooth_regular_tet_has_the_corrected_qualities_of_table_3_8() {
         ([0.037204, 0.995698, 0.742833], 1e-3),
     ] {
         levels.subdivide(shortest(Scheme::LOOP_SOLID)).unwrap();
-        let found = etas(levels.finest());
+        let found = etas(&levels.finest().mesh);
         for (k, tolerance) in [1e-6, 1e-6, tolerance].into_iter().enumerate() {
             assert!((found[k] - expected[k]).abs() <= tolerance, "{found:?} {expected:?}");
         }
@@ -41,7 +41,7 @@ fn the_inherited_diagonal_has_its_own_means() {
     let mut levels = hierarchy(smooth(shapes::regular_tet()));
     for mean in [0.717190, 0.722628, 0.708538, 0.699781] {
         levels.subdivide(Scheme::LOOP_SOLID).unwrap();
-        let found = etas(levels.finest());
+        let found = etas(&levels.finest().mesh);
         assert!((found[2] - mean).abs() < 1e-3);
     }
 }
@@ -52,10 +52,10 @@ fn forty_smooth_tets_have_the_minima_of_table_3_9() {
     // 40 tets tie, and the means depend on which of the diagonals they take.
     let mut start = hierarchy(shapes::five_tet_cube());
     start.subdivide(Scheme::Linear).unwrap();
-    let mut levels = hierarchy(smooth(start.finest().clone()));
+    let mut levels = hierarchy(smooth(start.finest().mesh.clone()));
     for minimum in [0.372093, 0.148746, 0.059057] {
         levels.subdivide(shortest(Scheme::LOOP_SOLID)).unwrap();
-        let found = etas(levels.finest());
+        let found = etas(&levels.finest().mesh);
         assert!((found[0] - minimum).abs() <= 1e-6, "{found:?}");
         assert!((found[1] - 1.0).abs() <= 1e-6, "{found:?}");
     }
@@ -69,7 +69,7 @@ fn the_split_five_tet_cube_keeps_its_least_quality() {
     levels.subdivide(Scheme::Linear).unwrap();
     for mean in [0.794923, 0.791071, 0.790108] {
         levels.subdivide(shortest(Scheme::Linear)).unwrap();
-        let found = etas(levels.finest());
+        let found = etas(&levels.finest().mesh);
         assert!((found[0] - 0.687230).abs() <= 1e-6, "{found:?}");
         assert!((found[2] - mean).abs() <= 1e-6, "{found:?}");
     }
@@ -83,14 +83,14 @@ fn the_coarse_mesh_stays_and_the_fine_one_knows_its_topology() {
     let [mut inherited, mut chosen] = [hierarchy(mesh.clone()), hierarchy(mesh.clone())];
     inherited.subdivide(Scheme::BoxSpline).unwrap();
     chosen.subdivide(shortest(Scheme::BoxSpline)).unwrap();
-    assert_eq!(chosen.meshes[0], mesh);
-    assert_eq!(chosen.refinements, inherited.refinements);
-    assert_eq!(chosen.finest().points(), inherited.finest().points());
-    assert_ne!(chosen.finest().tets(), inherited.finest().tets());
-    assert!(chosen.topologies[1] == octruss_mesh::Topology::new(chosen.finest().raw()));
+    assert_eq!(chosen.coarsest().mesh, mesh);
+    assert_eq!(chosen.refinement(0), inherited.refinement(0));
+    assert_eq!(chosen.finest().mesh.points(), inherited.finest().mesh.points());
+    assert_ne!(chosen.finest().mesh.tets(), inherited.finest().mesh.tets());
+    assert!(chosen.levels()[1].topology == octruss_mesh::Topology::new(chosen.finest().mesh.raw()));
     // The truss of the averaged scheme is lost with the inherited diagonals.
-    assert_eq!(inherited.finest().features().unwrap().cell_states.len(), 8);
-    assert!(chosen.finest().features().unwrap().cell_states.is_empty());
+    assert_eq!(inherited.finest().mesh.features().unwrap().cell_states.len(), 8);
+    assert!(chosen.finest().mesh.features().unwrap().cell_states.is_empty());
 }
 
 #[test]
@@ -100,7 +100,7 @@ fn the_guard_counts_with_the_chosen_diagonals() {
     for _ in 0..4 {
         let step = Step { min_quality: Some(0.3), ..shortest(Scheme::LOOP_SOLID) };
         levels.subdivide(step).unwrap();
-        let [least, ..] = etas(levels.finest());
+        let [least, ..] = etas(&levels.finest().mesh);
         assert!(least >= 0.3 * (1.0 - 1e-8), "{least}");
     }
 }

@@ -49,9 +49,9 @@ fn levels(mesh: TetMesh, step: Step, levels: usize) -> Hierarchy {
 
 /// Carries a field of sides over all levels.
 fn carried(hierarchy: &Hierarchy, mut values: Vec<f64>, components: usize) -> Vec<f64> {
-    for (level, refinement) in hierarchy.refinements.iter().enumerate() {
-        let [coarse, fine] = [0, 1].map(|l| Sides::new(&hierarchy.meshes[level + l]));
-        let step = (&hierarchy.topologies[level], &refinement.matrix);
+    for (level, refinement) in hierarchy.refinements().enumerate() {
+        let [coarse, fine] = [0, 1].map(|l| Sides::new(&hierarchy.levels()[level + l].mesh));
+        let step = (&hierarchy.levels()[level].topology, &refinement.matrix);
         values = coarse.carry(step, &fine, &values, components, Overshoot::Allow).values;
     }
     values
@@ -87,8 +87,9 @@ fn rows_read_only_vertices_that_their_region_touches() {
             for min_quality in [None, Some(0.3)] {
                 let step = Step { min_quality, ..scheme.into() };
                 let hierarchy = levels(sound(raw.clone()), step, 2);
-                for (level, refinement) in hierarchy.refinements.iter().enumerate() {
-                    let [coarse, fine] = [0, 1].map(|l| Sides::new(&hierarchy.meshes[level + l]));
+                for (level, refinement) in hierarchy.refinements().enumerate() {
+                    let [coarse, fine] =
+                        [0, 1].map(|l| Sides::new(&hierarchy.levels()[level + l].mesh));
                     for (&row, &region) in fine.vertices().iter().zip(fine.regions()) {
                         let (columns, _) = refinement.matrix.row(row as usize);
                         let touches = |&column: &u32| coarse.find(column, region).is_some();
@@ -106,11 +107,11 @@ fn constants_of_regions_stay_and_jump_undiminished() {
         for scheme in Scheme::ALL {
             let hierarchy = levels(sound(raw.clone()), scheme.into(), 2);
             let of_region = |region: i32| f64::from(region * region);
-            let coarse = &hierarchy.meshes[0];
+            let coarse = &hierarchy.coarsest().mesh;
             let of_tets: Vec<f64> = coarse.regions().iter().map(|&r| of_region(r)).collect();
             let start = Sides::new(coarse).from_tets(coarse, &of_tets, 1);
             let values = carried(&hierarchy, start, 1);
-            let sides = Sides::new(hierarchy.finest());
+            let sides = Sides::new(&hierarchy.finest().mesh);
             for (value, &region) in values.iter().zip(sides.regions()) {
                 assert!((value - of_region(region)).abs() < 1e-13, "{value} in region {region}");
             }
@@ -139,18 +140,19 @@ fn a_side_equals_the_field_on_its_region_alone() {
     let field = |p: &[f64; 3]| [(3.0 * p[0]).sin() + p[1], p[2] * p[0]];
     for scheme in Scheme::ALL {
         let hierarchy = levels(sound(whole.clone()), scheme.into(), 2);
-        let sides = Sides::new(&hierarchy.meshes[0]);
+        let sides = Sides::new(&hierarchy.coarsest().mesh);
         // Region 2 differs by 100, which must not show in region 1.
         let start = sides.vertices().iter().zip(sides.regions()).flat_map(|(&v, &region)| {
             let jump = if region == 2 { 100.0 } else { 0.0 };
-            field(&hierarchy.meshes[0].points()[v as usize]).map(|value| value + jump)
+            field(&hierarchy.coarsest().mesh.points()[v as usize]).map(|value| value + jump)
         });
         let values = carried(&hierarchy, start.collect(), 2);
-        let fine_sides = Sides::new(hierarchy.finest());
+        let fine_sides = Sides::new(&hierarchy.finest().mesh);
 
         let alone = levels(sound(left.clone()), scheme.into(), 2);
-        let mut expected: Vec<f64> = alone.meshes[0].points().iter().flat_map(field).collect();
-        for refinement in &alone.refinements {
+        let mut expected: Vec<f64> =
+            alone.coarsest().mesh.points().iter().flat_map(field).collect();
+        for refinement in alone.refinements() {
             expected = refinement.matrix.apply_field(&expected, 2);
         }
         // Match by place: positions move alike.
@@ -159,13 +161,13 @@ fn a_side_equals_the_field_on_its_region_alone() {
             .filter(|&side| fine_sides.regions()[side] == 1)
             .map(|side| {
                 let vertex = fine_sides.vertices()[side] as usize;
-                let at = place(&hierarchy.finest().points()[vertex]);
+                let at = place(&hierarchy.finest().mesh.points()[vertex]);
                 (at, [values[2 * side], values[2 * side + 1]])
             })
             .collect();
         of_place.sort_unstable_by_key(|entry| entry.0);
-        assert_eq!(of_place.len(), alone.finest().points().len(), "{}", scheme.name());
-        for (point, known) in alone.finest().points().iter().zip(expected.as_chunks::<2>().0) {
+        assert_eq!(of_place.len(), alone.finest().mesh.points().len(), "{}", scheme.name());
+        for (point, known) in alone.finest().mesh.points().iter().zip(expected.as_chunks::<2>().0) {
             let at = of_place.binary_search_by_key(&place(point), |entry| entry.0).unwrap();
             for (value, known) in of_place[at].1.iter().zip(known) {
                 assert!((value - known).abs() < 1e-13, "{}: {value}, {known}", scheme.name());
@@ -178,14 +180,15 @@ fn a_side_equals_the_field_on_its_region_alone() {
 fn equal_sides_stay_equal_to_the_field_at_vertices_bit_for_bit() {
     for scheme in Scheme::ALL {
         let hierarchy = levels(sound(thirds()), scheme.into(), 2);
-        let start: Vec<f64> = hierarchy.meshes[0].points().iter().map(|p| p[0].exp()).collect();
-        let sides = Sides::new(&hierarchy.meshes[0]);
+        let start: Vec<f64> =
+            hierarchy.coarsest().mesh.points().iter().map(|p| p[0].exp()).collect();
+        let sides = Sides::new(&hierarchy.coarsest().mesh);
         let values = carried(&hierarchy, sides.from_vertices(&start, 1), 1);
         let mut single = start;
-        for refinement in &hierarchy.refinements {
+        for refinement in hierarchy.refinements() {
             single = refinement.matrix.apply_field(&single, 1);
         }
-        let sides = Sides::new(hierarchy.finest());
+        let sides = Sides::new(&hierarchy.finest().mesh);
         assert_eq!(values, sides.from_vertices(&single, 1));
         assert_eq!(sides.largest_jump(&values, 1), 0.0);
     }
@@ -236,12 +239,12 @@ fn where_a_curve_pierces_an_interface_each_side_is_continued_as_a_constant() {
     let options = FeatureOptions { extra, ..FeatureOptions::default() };
     let mut hierarchy = Hierarchy::new(mesh, &options);
     hierarchy.subdivide(Scheme::BoxSpline).unwrap();
-    let [coarse, fine] = [0, 1].map(|level| Sides::new(&hierarchy.meshes[level]));
+    let [coarse, fine] = [0, 1].map(|level| Sides::new(&hierarchy.levels()[level].mesh));
     let mut start = vec![0.0; coarse.len()];
     for (v, region, value) in [(before, 1, 8.0), (at, 1, 16.0), (at, 2, 32.0), (after, 2, 64.0)] {
         start[coarse.find(v, region).unwrap()] = value;
     }
-    let step = (&hierarchy.topologies[0], &hierarchy.refinements[0].matrix);
+    let step = (&hierarchy.coarsest().topology, &hierarchy.refinement(0).matrix);
     let values = coarse.carry(step, &fine, &start, 1, Overshoot::Allow).values;
     // 1/8, 3/4, 1/8 with the missing neighbour equal to the vertex itself.
     assert_eq!(values[fine.find(at, 1).unwrap()], 1.0 + 14.0);
@@ -252,10 +255,10 @@ fn where_a_curve_pierces_an_interface_each_side_is_continued_as_a_constant() {
 fn clamped_values_stay_in_the_range_of_their_stencil_and_others_are_untouched() {
     // A step in the field: the interpolatory scheme overshoots beside it.
     let hierarchy = levels(sound(cube(|_| 1)), Scheme::INTERPOLATORY.into(), 1);
-    let points = hierarchy.meshes[0].points();
+    let points = hierarchy.coarsest().mesh.points();
     let start: Vec<f64> =
         points.iter().flat_map(|p| [f64::from(p[0] > 0.4), f64::from(p[1] > 0.6) - 3.0]).collect();
-    let matrix = &hierarchy.refinements[0].matrix;
+    let matrix = &hierarchy.refinement(0).matrix;
     let free = carry_field(matrix, &start, 2, Overshoot::Allow);
     let clamped = carry_field(matrix, &start, 2, Overshoot::Clamp);
     assert_eq!(free.clamped, 0);
@@ -277,9 +280,9 @@ fn clamped_values_stay_in_the_range_of_their_stencil_and_others_are_untouched() 
     assert!(beyond_rounding > 10 && changed >= beyond_rounding);
     assert_eq!(clamped.clamped, beyond_rounding);
     // The same per side.
-    let [coarse, fine] = [0, 1].map(|level| Sides::new(&hierarchy.meshes[level]));
+    let [coarse, fine] = [0, 1].map(|level| Sides::new(&hierarchy.levels()[level].mesh));
     let sided = coarse.from_vertices(&start, 2);
-    let step = (&hierarchy.topologies[0], matrix);
+    let step = (&hierarchy.coarsest().topology, matrix);
     let carried = coarse.carry(step, &fine, &sided, 2, Overshoot::Clamp);
     assert_eq!(carried.values, fine.from_vertices(&clamped.values, 2));
     assert_eq!(carried.clamped, beyond_rounding);
@@ -288,7 +291,7 @@ fn clamped_values_stay_in_the_range_of_their_stencil_and_others_are_untouched() 
 #[test]
 fn what_is_no_number_spreads_to_the_rows_that_read_it_clamped_or_not() {
     let hierarchy = levels(sound(halves()), Scheme::INTERPOLATORY.into(), 1);
-    let matrix = &hierarchy.refinements[0].matrix;
+    let matrix = &hierarchy.refinement(0).matrix;
     let mut start = vec![1.0; matrix.columns()];
     start[62] = f64::NAN;
     for overshoot in [Overshoot::Allow, Overshoot::Clamp] {
@@ -306,11 +309,11 @@ fn vertices_outside_all_tets_have_no_side() {
     raw.points.extend([[5.0, 0.0, 0.0], [6.0, 0.0, 0.0], [5.0, 1.0, 0.0]]);
     raw.triangles.push([first, first + 1, first + 2], 8);
     let hierarchy = levels(sound(raw), Scheme::BoxSpline.into(), 1);
-    let sides = Sides::new(&hierarchy.meshes[0]);
+    let sides = Sides::new(&hierarchy.coarsest().mesh);
     assert_eq!(sides.len(), 150);
     assert!(sides.of(first).is_empty() && sides.find(first, 1).is_none());
     let values = carried(&hierarchy, vec![2.0; 150], 1);
-    assert_eq!(values, vec![2.0; Sides::new(hierarchy.finest()).len()]);
+    assert_eq!(values, vec![2.0; Sides::new(&hierarchy.finest().mesh).len()]);
 }
 
 #[test]
@@ -319,7 +322,7 @@ fn the_same_bits_for_any_number_of_threads() {
         let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
         pool.install(|| {
             let hierarchy = levels(sound(thirds()), Scheme::INTERPOLATORY.into(), 2);
-            let mesh = &hierarchy.meshes[0];
+            let mesh = &hierarchy.coarsest().mesh;
             let of_tets: Vec<f64> = (0..mesh.tets().len()).map(|t| (t as f64).sin()).collect();
             carried(&hierarchy, Sides::new(mesh).from_tets(mesh, &of_tets, 1), 1)
         })

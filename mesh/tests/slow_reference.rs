@@ -4,7 +4,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use octruss_mesh::analysis::stars::{Marks, edge_ring, stack};
 use octruss_mesh::{
-    FeatureOptions, Hierarchy, Scheme, TetMesh, prepare, shapes, subdivision_matrix,
+    FeatureOptions, Hierarchy, Level, Scheme, TetMesh, prepare, shapes, subdivision_matrix,
 };
 
 type Edge = [u32; 2];
@@ -119,7 +119,8 @@ fn every_weight_equals_the_slow_reference() {
     for coarse in meshes {
         let mut levels = Hierarchy::new(coarse, &sharp);
         levels.subdivide(Scheme::BoxSpline).unwrap();
-        for (mesh, topology) in levels.meshes.iter().zip(&levels.topologies) {
+        for level in levels.levels() {
+            let Level { mesh, topology, .. } = &**level;
             let slow = Slow::new(mesh);
             let matrix = subdivision_matrix(mesh, topology, Scheme::BoxSpline);
             let n = mesh.points().len();

@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use octruss_mesh::{CellState, Features, Group, RawMesh, shapes};
+use octruss_mesh::{CellState, Features, Group, Level, RawMesh, shapes};
 use octruss_meshio::vtu::{Compression, VtuOptions};
 use octruss_meshio::{Dataset, Error, Field, Format, Values, legacy, vtu, write_aside};
 
@@ -313,7 +313,7 @@ fn features_become_vertices_and_lines_with_their_reasons() {
     use octruss_mesh::{FeatureOptions, FeatureReasons, Hierarchy};
     let options = FeatureOptions::default();
     let cube = Hierarchy::new(shapes::kuhn_cube(2), &options);
-    let (mesh, topology) = (&cube.meshes[0], &cube.topologies[0]);
+    let Level { mesh, topology, .. } = cube.coarsest();
     let reasons = FeatureReasons::new(mesh, topology, Some(&options));
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("features.vtu");

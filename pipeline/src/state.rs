@@ -4,8 +4,8 @@ use std::borrow::Cow;
 use std::path::PathBuf;
 
 use octruss_mesh::{
-    FeatureOptions, FeatureReasons, Hierarchy, Overshoot, Renumbering, Sides, Step, SubdivideError,
-    TetMesh, carry_field, prepare, sort_along_curve,
+    FeatureOptions, FeatureReasons, Hierarchy, Level, Overshoot, Renumbering, Sides, Step,
+    SubdivideError, TetMesh, carry_field, prepare, sort_along_curve,
 };
 use octruss_meshio::{Dataset, Field, Values};
 
@@ -49,7 +49,7 @@ pub struct SidedFields {
 impl State {
     /// The finest mesh, once checked.
     pub fn finest(&self) -> Option<&TetMesh> {
-        self.hierarchy.as_ref().map(Hierarchy::finest).or(self.mesh.as_ref())
+        self.hierarchy.as_ref().map(|levels| &levels.finest().mesh).or(self.mesh.as_ref())
     }
 
     /// The levels; the checked mesh becomes the only one if there are none. It is
@@ -67,8 +67,8 @@ impl State {
                 }
             };
             let hierarchy = Hierarchy::new(mesh, &FeatureOptions::default());
-            self.feature_reasons =
-                FeatureReasons::new(hierarchy.finest(), &hierarchy.topologies[0], options.as_ref());
+            let Level { mesh, topology, .. } = hierarchy.coarsest();
+            self.feature_reasons = FeatureReasons::new(mesh, topology, options.as_ref());
             self.hierarchy = Some(hierarchy);
         }
         self.hierarchy.as_mut()
@@ -94,7 +94,7 @@ impl State {
     pub fn refine(&mut self, step: Step, overshoot: Overshoot) -> Result<usize, SubdivideError> {
         let Some(hierarchy) = &mut self.hierarchy else { return Ok(0) };
         hierarchy.subdivide(step)?;
-        let matrix = &hierarchy.refinements[hierarchy.refinements.len() - 1].matrix;
+        let matrix = &hierarchy.refinement(hierarchy.transfers() - 1).matrix;
         let mut clamped = 0;
         for field in &mut self.point_fields {
             let carried = carry_field(matrix, &floats(field), field.components, overshoot);
@@ -115,7 +115,7 @@ impl State {
     /// file, or what was imported if nothing was checked.
     pub fn into_dataset(self) -> Dataset {
         let Self { dataset, mesh, hierarchy, point_fields, cell_fields, .. } = self;
-        let finest = hierarchy.and_then(|mut levels| levels.meshes.pop()).or(mesh);
+        let finest = hierarchy.map(|levels| levels.into_finest().mesh).or(mesh);
         match finest {
             Some(mesh) => {
                 let numbers = self.input_numbers.fields(&mesh);
@@ -150,9 +150,9 @@ impl SidedFields {
     /// values were clamped.
     fn refine(&mut self, hierarchy: &Hierarchy, overshoot: Overshoot) -> usize {
         let Some(coarse) = &self.sides else { return 0 };
-        let fine = Sides::new(hierarchy.finest());
-        let transfer = hierarchy.refinements.len() - 1;
-        let step = (&hierarchy.topologies[transfer], &hierarchy.refinements[transfer].matrix);
+        let fine = Sides::new(&hierarchy.finest().mesh);
+        let transfer = hierarchy.transfers() - 1;
+        let step = (&hierarchy.levels()[transfer].topology, &hierarchy.refinement(transfer).matrix);
         let mut clamped = 0;
         for field in &mut self.fields {
             let carried = coarse.carry(step, &fine, &floats(field), field.components, overshoot);

@@ -1,8 +1,10 @@
 //! Linear elasticity assembled tet by tet from the textbook formula, slow and
 //! obviously right, and the levels that a multigrid needs for it.
 
+use std::sync::Arc;
+
 use octruss_fem::{Dofs, Scalar, restrict_to_free};
-use octruss_mesh::{FeatureOptions, Hierarchy, Scheme, TetMesh, linear_matrix, subdivide};
+use octruss_mesh::{FeatureOptions, Hierarchy, Level, Scheme, TetMesh, linear_matrix, subdivide};
 use octruss_solver::Csr;
 
 pub type Block = [[f64; 3]; 3];
@@ -30,24 +32,24 @@ pub fn body(
     }
     let fixed = [(clamped, Scalar::from(0.0))];
     let dofs: Vec<Dofs> =
-        hierarchy.meshes.iter().map(|mesh| Dofs::new(mesh, &fixed).unwrap()).collect();
+        hierarchy.levels().iter().map(|level| Dofs::new(&level.mesh, &fixed).unwrap()).collect();
     let prolongation = |level: usize| {
-        let (mesh, topology) = (&hierarchy.meshes[level], &hierarchy.topologies[level]);
+        let Level { mesh, topology, .. } = &*hierarchy.levels()[level];
         let matrix = match prolong {
             Scheme::Linear => linear_matrix(topology),
             smooth => subdivide(mesh, topology, smooth, level + 1).unwrap().2.matrix,
         };
         restrict_to_free(&matrix, &dofs[level + 1], &dofs[level]).unwrap()
     };
-    let constrained = |(mesh, dofs): (&TetMesh, &Dofs)| {
+    let constrained = |(level, dofs): (&Arc<Level>, &Dofs)| {
         let of = |(row, &vertex): (usize, &u32)| {
-            free(mesh.points()[vertex as usize]).map(|q| (row as u32, q))
+            free(level.mesh.points()[vertex as usize]).map(|q| (row as u32, q))
         };
         dofs.free().iter().enumerate().filter_map(of).collect()
     };
-    let levels = hierarchy.meshes.iter().zip(&dofs);
+    let levels = hierarchy.levels().iter().zip(&dofs);
     let projectors: Vec<Vec<(u32, Block)>> = levels.map(constrained).collect();
-    let matrix = stiffness(hierarchy.finest(), &dofs[refinements], poisson_ratio);
+    let matrix = stiffness(&hierarchy.finest().mesh, &dofs[refinements], poisson_ratio);
     Body {
         matrix: constrain(&matrix, &projectors[refinements]),
         prolongations: (0..refinements).map(prolongation).collect(),

@@ -18,13 +18,13 @@ pub fn basis_function(
     level: usize,
     vertex: u32,
 ) -> Result<Vec<f64>, AnalysisError> {
-    let finest = hierarchy.refinements.len();
-    let mesh = hierarchy.meshes.get(level).ok_or(AnalysisError::NoLevel { level, finest })?;
-    let vertices = mesh.points().len();
+    let finest = hierarchy.transfers();
+    let start = hierarchy.levels().get(level).ok_or(AnalysisError::NoLevel { level, finest })?;
+    let vertices = start.mesh.points().len();
     let mut values = vec![0.0; vertices];
     *values.get_mut(vertex as usize).ok_or(AnalysisError::NoVertex { vertex, vertices })? = 1.0;
-    let finer = &hierarchy.refinements[level..];
-    Ok(finer.iter().fold(values, |values, step| step.matrix.apply_field(&values, 1)))
+    let finer = hierarchy.refinements().skip(level);
+    Ok(finer.fold(values, |values, step| step.matrix.apply_field(&values, 1)))
 }
 
 /// The value of a field at a point of a line.

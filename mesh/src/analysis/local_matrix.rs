@@ -87,8 +87,8 @@ impl LocalMatrix {
 /// If the two vertices share no edge, or the mesh cannot be split.
 pub fn at_midpoint(mesh: &TetMesh, [a, b]: [u32; 2]) -> Result<(TetMesh, u32), AnalysisError> {
     let mut hierarchy = Hierarchy::new(mesh.clone(), &Default::default());
-    let edge = hierarchy.topologies[0].edge_between(a, b);
+    let edge = hierarchy.coarsest().topology.edge_between(a, b);
     let edge = edge.ok_or(AnalysisError::NoEdge { ends: [a, b] })?;
     hierarchy.subdivide(Scheme::Linear)?;
-    Ok((hierarchy.finest().clone(), mesh.points().len() as u32 + edge))
+    Ok((hierarchy.finest().mesh.clone(), mesh.points().len() as u32 + edge))
 }

@@ -33,12 +33,12 @@ impl RefinedStar {
         scheme: Scheme,
     ) -> Result<Self, AnalysisError> {
         let mut hierarchy = Hierarchy::new(star(mesh, vertex)?, &Default::default());
-        let mut places = place::initial(hierarchy.finest().points().len());
+        let mut places = place::initial(hierarchy.finest().mesh.points().len());
         for level in 0..levels {
             hierarchy.subdivide(Scheme::Linear)?;
-            places = place::refined(&places, &hierarchy.topologies[level]);
+            places = place::refined(&places, &hierarchy.levels()[level].topology);
         }
-        let topology = &hierarchy.topologies[levels];
+        let topology = &hierarchy.levels()[levels].topology;
         let fine_places = place::refined(&places, topology);
         let mut by_place: Vec<u32> = (0..fine_places.len() as u32).collect();
         by_place.sort_unstable_by_key(|&row| &fine_places[row as usize]);
@@ -49,8 +49,8 @@ impl RefinedStar {
         Ok(Self {
             layers: places.iter().map(place::Place::layer).collect(),
             rows: places.iter().map(row_at).collect(),
-            matrix: subdivision_matrix(hierarchy.finest(), topology, scheme),
-            mesh: hierarchy.meshes.pop().expect("a hierarchy has at least one mesh"),
+            matrix: subdivision_matrix(&hierarchy.finest().mesh, topology, scheme),
+            mesh: hierarchy.into_finest().mesh,
         })
     }
 

@@ -15,7 +15,7 @@ use crate::subdivide::scheme::Scheme;
 /// levels.subdivide(Scheme::LOOP_SOLID)?;
 /// let diagonal = Diagonal::ShortestEachLevel;
 /// levels.subdivide(Step { diagonal, ..Scheme::LOOP_SOLID.into() })?;
-/// assert_eq!(levels.finest().tets().len(), 5 * 64);
+/// assert_eq!(levels.finest().mesh.tets().len(), 5 * 64);
 /// # Ok::<(), octruss_mesh::SubdivideError>(())
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]

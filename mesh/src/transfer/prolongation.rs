@@ -7,7 +7,7 @@ use std::borrow::Cow;
 
 use crate::core::tet_mesh::TetMesh;
 use crate::core::topology::{NONE, Topology};
-use crate::hierarchy::{Hierarchy, mean_edge_length};
+use crate::hierarchy::{Hierarchy, Level, mean_edge_length};
 use crate::refinement::subdivision_matrix::{SubdivisionMatrix, linear_matrix};
 use crate::subdivide::assemble_matrix::subdivision_matrix;
 use crate::subdivide::scheme::Scheme;
@@ -81,8 +81,8 @@ impl Hierarchy {
         options: impl Into<ProlongationOptions>,
     ) -> Prolongation<'_> {
         let ProlongationOptions { scheme, interface_rows, affine_correction } = options.into();
-        let (mesh, topology) = (&self.meshes[transfer], &self.topologies[transfer]);
-        let refinement = &self.refinements[transfer];
+        let Level { mesh, topology, .. } = &*self.levels()[transfer];
+        let refinement = self.refinement(transfer);
         let mut matrix = match scheme {
             _ if refinement.scheme == scheme => Cow::Borrowed(&refinement.matrix),
             _ => Cow::Owned(subdivision_matrix(mesh, topology, scheme)),
@@ -105,7 +105,7 @@ impl Hierarchy {
             let corrected = CorrectedRows::default();
             return Prolongation { matrix, defect_before, corrected };
         }
-        let fine = self.meshes[transfer + 1].points();
+        let fine = self.levels()[transfer + 1].mesh.points();
         let length = mean_edge_length(mesh, topology);
         let geometry = Geometry::new((mesh.points(), topology), fine, length);
         let (exact, corrected) = corrected(&matrix, &geometry);

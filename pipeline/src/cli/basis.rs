@@ -79,7 +79,7 @@ impl Basis {
             hierarchy.subdivide(self.scheme.0)?;
         }
         let values = basis_function(&hierarchy, self.at_level.into(), vertex)?;
-        let finest = hierarchy.finest();
+        let finest = &hierarchy.finest().mesh;
         if let Some(path) = &self.line {
             // A vertex keeps its number on finer levels.
             let through = finest.points()[vertex as usize];

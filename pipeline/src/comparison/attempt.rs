@@ -2,7 +2,8 @@
 
 use octruss_fem::Error;
 use octruss_solver::{
-    Entry, Error as SolverError, Multigrid, SolveOptions, SolveReport, conjugate_gradients,
+    Entry, Error as SolverError, Multigrid, SolveOptions, SolveReport, SystemEntry,
+    conjugate_gradients,
 };
 
 use crate::stages::multigrid::Discrete;
@@ -16,7 +17,7 @@ pub(super) type Solved<E> = (Vec<<E as Entry>::Nodal>, SolveReport);
 ///
 /// # Errors
 /// Whatever else the solver reports, also that it was asked to stop.
-pub(super) fn attempt<E: Entry<Real = f64>>(
+pub(super) fn attempt<E: SystemEntry>(
     options: &Solve,
     (discrete, rhs): (&Discrete<E>, &[E::Nodal]),
     multigrid: &mut Multigrid<E>,

@@ -4,7 +4,7 @@
 
 use octruss_fem::Error;
 use octruss_mesh::{Hierarchy, Scheme};
-use octruss_solver::{Entry, Nodal, dot, kernels, norm};
+use octruss_solver::{Nodal, SystemEntry, dot, kernels, norm};
 use serde::Serialize;
 
 use super::attempt::attempt;
@@ -34,7 +34,7 @@ pub struct Carried {
 ///
 /// # Errors
 /// Whatever the solver reports.
-pub(super) fn carry<E: Entry<Real = f64>>(
+pub(super) fn carry<E: SystemEntry>(
     options: &Solve,
     schemes: &[Scheme],
     (hierarchy, geometry): (&Hierarchy, Geometry),
@@ -42,7 +42,7 @@ pub(super) fn carry<E: Entry<Real = f64>>(
     (coarse_hierarchy, coarse): (&Hierarchy, &Discrete<E>),
     context: &Context,
 ) -> Result<Vec<Carried>, Error> {
-    let transfer = coarse_hierarchy.refinements.len();
+    let transfer = coarse_hierarchy.transfers();
     let solutions = (
         solution(options, hierarchy, fine, context)?,
         solution(options, coarse_hierarchy, coarse, context)?,
@@ -80,7 +80,7 @@ pub(super) fn carry<E: Entry<Real = f64>>(
 
 /// The solution of a level to the tolerance of the stage; none if that is not reached,
 /// or the solution is zero.
-fn solution<E: Entry<Real = f64>>(
+fn solution<E: SystemEntry>(
     options: &Solve,
     hierarchy: &Hierarchy,
     discrete: &Discrete<E>,

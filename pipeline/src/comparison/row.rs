@@ -5,7 +5,7 @@ use std::time::Instant;
 use octruss_fem::Error;
 use octruss_mesh::Hierarchy;
 use octruss_solver::{
-    Csr, CycleShape, Entry, Multigrid, Nodal, SolveReport, geometric_mean, noise, reductions,
+    Csr, CycleShape, Multigrid, Nodal, SolveReport, SystemEntry, geometric_mean, noise, reductions,
 };
 use serde::Serialize;
 
@@ -103,7 +103,7 @@ const MEAN: std::ops::Range<usize> = 12..20;
 const ASYMPTOTIC: std::ops::Range<usize> = 32..40;
 
 /// What all variants on a level have in common.
-pub(super) struct Level<'a, E: Entry> {
+pub(super) struct Level<'a, E: SystemEntry> {
     pub problem: &'static str,
     pub body: &'a str,
     pub geometry: Geometry,
@@ -113,7 +113,7 @@ pub(super) struct Level<'a, E: Entry> {
     pub context: &'a Context<'a>,
 }
 
-impl<E: Entry<Real = f64>> Level<'_, E> {
+impl<E: SystemEntry> Level<'_, E> {
     /// Sets up and solves one variant.
     ///
     /// # Errors
@@ -162,7 +162,7 @@ impl<E: Entry<Real = f64>> Level<'_, E> {
             interface_rows: options.interface_rows.0.name(),
             cycle: format!("{}({},{})", shape, cycle.before, cycle.after),
             smoother: options.method_figures(&multigrid, None).smoother_and_degree(),
-            level: self.hierarchy.refinements.len(),
+            level: self.hierarchy.transfers(),
             unknowns: self.discrete.unknowns(),
             iterations: report.as_ref().map(|report| report.iterations),
             mean_reduction: geometric_mean(&factors[MEAN]),
@@ -212,7 +212,7 @@ impl<E: Entry<Real = f64>> Level<'_, E> {
 
 /// The bytes of an iteration of conjugate gradients beside the cycle: its product, and
 /// thirteen passes over vectors (product 2, scalar product 2, direction 3, advance 6).
-fn iteration_bytes<E: Entry>(matrix: &Csr<E>) -> usize {
+fn iteration_bytes<E: SystemEntry>(matrix: &Csr<E>) -> usize {
     matrix.bytes() + 13 * matrix.rows() * size_of::<E::Nodal>()
 }
 

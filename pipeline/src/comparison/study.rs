@@ -6,7 +6,7 @@ use std::time::Instant;
 
 use octruss_fem::Error as SolverError;
 use octruss_mesh::{Hierarchy, Scheme};
-use octruss_solver::Entry;
+use octruss_solver::SystemEntry;
 
 use super::Comparison;
 use super::carried::{self, Carried};
@@ -38,11 +38,8 @@ pub fn compare(
     for geometry in study.plan.geometries(study.subdivide.scheme.0) {
         let mut hierarchy = study.hierarchy(geometry)?;
         for level in &study.levels {
-            while hierarchy.refinements.len() > *level {
-                hierarchy.meshes.pop();
-                hierarchy.topologies.pop();
-                hierarchy.refinements.pop();
-            }
+            // What is finer is not needed any more.
+            hierarchy = hierarchy.truncated(*level + 1);
             let (more_rows, more_carried) = match study.solve.problem {
                 Problem::Poisson => study.level(&hierarchy, geometry, poisson::discretise)?,
                 Problem::Biharmonic => study.level(&hierarchy, geometry, biharmonic::discretise)?,
@@ -147,13 +144,13 @@ impl<'a> Study<'a> {
     }
 
     /// All variants on the finest level of a hierarchy, and Chang's test.
-    fn level<E: Entry<Real = f64>>(
+    fn level<E: SystemEntry>(
         &self,
         hierarchy: &Hierarchy,
         geometry: Geometry,
         discretise: impl Fn(&Solve, &Hierarchy, &Context) -> Result<Discrete<E>, Error>,
     ) -> Result<(Vec<Row>, Vec<Carried>), Error> {
-        let number = hierarchy.refinements.len();
+        let number = hierarchy.transfers();
         let label = format!("{} level {number}", geometry.name());
         let progress = Progress { stage: 1, stages: 1, label: &label, listener: self.listener };
         let source = Some(&self.recipe.source);
@@ -203,7 +200,7 @@ impl<'a> Study<'a> {
         }
     }
 
-    fn carried<E: Entry<Real = f64>>(
+    fn carried<E: SystemEntry>(
         &self,
         hierarchy: &Hierarchy,
         geometry: Geometry,
@@ -213,12 +210,7 @@ impl<'a> Study<'a> {
             &Context,
         ),
     ) -> Result<Vec<Carried>, Error> {
-        let below = hierarchy.refinements.len() - 1;
-        let coarse = Hierarchy {
-            meshes: hierarchy.meshes[..=below].to_vec(),
-            topologies: hierarchy.topologies[..=below].to_vec(),
-            refinements: hierarchy.refinements[..below].to_vec(),
-        };
+        let coarse = hierarchy.truncated(hierarchy.transfers());
         let coarse_problem = discretise(self.solve, &coarse, context)?;
         let mut schemes = vec![Scheme::Linear, self.subdivide.scheme()];
         schemes.dedup();

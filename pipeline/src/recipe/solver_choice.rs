@@ -17,7 +17,6 @@ impl Choice for Smoother {
     fn name(self) -> &'static str {
         match self {
             Self::Chebyshev { .. } => "chebyshev",
-            Self::Auto => "auto",
             Self::HybridGaussSeidel => "hybrid-gauss-seidel",
             Self::GaussSeidel => "gauss-seidel",
             Self::ColouredGaussSeidel => "coloured-gauss-seidel",

@@ -1,7 +1,7 @@
 //! A biharmonic problem from the names that a config uses.
 
 use octruss_fem::{Biharmonic, Scalar, assemble_biharmonic};
-use octruss_mesh::Hierarchy;
+use octruss_mesh::{Hierarchy, Level};
 
 use super::Context;
 use super::groups::by_region;
@@ -20,14 +20,15 @@ pub(crate) fn discretise(
     hierarchy: &Hierarchy,
     context: &Context,
 ) -> Result<Discrete<f64>, Error> {
-    let mesh = hierarchy.finest().raw();
+    let mesh = hierarchy.finest().mesh.raw();
     let zero = Scalar::from(0.0);
     let problem = Biharmonic {
         source: by_region(&options.source, Value::to_scalar, zero, mesh, context)?,
         fixed: fixed_values(options, mesh, context)?,
     };
     let system = |level: usize| {
-        assemble_biharmonic(&hierarchy.meshes[level], &hierarchy.topologies[level], &problem)
+        let Level { mesh, topology, .. } = &*hierarchy.levels()[level];
+        assemble_biharmonic(mesh, topology, &problem)
     };
     assemble_levels(options, hierarchy, &problem.fixed, system)
         .map_err(|source| context.solver("assembly", source))

@@ -74,8 +74,8 @@ impl Body<'_> {
         &self,
         displacement: Vec<[f64; 3]>,
     ) -> Result<(BodyFigures, Vec<Field>, Vec<Field>), Error> {
-        let mesh = self.hierarchy.finest();
-        let topology = &self.hierarchy.topologies[self.hierarchy.topologies.len() - 1];
+        let mesh = &self.hierarchy.finest().mesh;
+        let topology = &self.hierarchy.finest().topology;
         let strain = strains(mesh, &displacement)?;
         let stress = stresses(mesh, self.problem, &strain)?;
         let equivalent: Vec<f64> = stress.iter().map(von_mises).collect();
@@ -125,7 +125,7 @@ impl Body<'_> {
     }
 
     fn force_figures(&self, forces: &Forces) -> ForceFigures {
-        let mesh = self.hierarchy.finest().raw();
+        let mesh = self.hierarchy.finest().mesh.raw();
         // Supports and springs of the problem are those of the config, one for
         // each id of the surface called so.
         let supports = self.problem.supports.iter().map(|support| support.surface);

@@ -7,7 +7,7 @@ use octruss_fem::{
     ByRegion, Constraints, Elasticity, Held, Material, Stiffness, Support, VectorSystem,
     assemble_elasticity, vector,
 };
-use octruss_mesh::{Hierarchy, RawMesh};
+use octruss_mesh::{Hierarchy, Level, RawMesh};
 
 use super::Context;
 use super::body::Body;
@@ -28,7 +28,7 @@ pub(super) fn solve(
     hierarchy: &Hierarchy,
     context: &Context,
 ) -> Result<Outcome, Error> {
-    let problem = problem(options, hierarchy.finest().raw(), context)?;
+    let problem = problem(options, hierarchy.finest().mesh.raw(), context)?;
     let (Assembled { discrete, constraints }, assembly_seconds) =
         assembled(options, context, || {
             assemble_levels(options, hierarchy, &problem)
@@ -38,7 +38,7 @@ pub(super) fn solve(
         let mut displacement = constraints.expand(x)?;
         let length = |u: &[f64; 3]| u.iter().map(|u| u * u).sum::<f64>().sqrt();
         let range = range(displacement.iter().map(length));
-        blank_outside(&mut displacement, hierarchy.finest(), [f64::NAN; 3]);
+        blank_outside(&mut displacement, &hierarchy.finest().mesh, [f64::NAN; 3]);
         Ok((displacement, range))
     };
     let (displacement, solves) = solve_in_turn(options, hierarchy, &discrete, expand, context)?;
@@ -58,7 +58,7 @@ pub(crate) fn discretise(
     hierarchy: &Hierarchy,
     context: &Context,
 ) -> Result<Discrete<[[f64; 3]; 3]>, Error> {
-    let problem = problem(options, hierarchy.finest().raw(), context)?;
+    let problem = problem(options, hierarchy.finest().mesh.raw(), context)?;
     let assembled = assemble_levels(options, hierarchy, &problem);
     Ok(assembled.map_err(|source| context.solver("assembly", source))?.discrete)
 }
@@ -81,13 +81,14 @@ fn assemble_levels(
     hierarchy: &Hierarchy,
     problem: &Elasticity,
 ) -> Result<Assembled, SolverError> {
-    let finest = hierarchy.meshes.len() - 1;
+    let finest = hierarchy.transfers();
     let system_of = |level: usize| {
-        assemble_elasticity(&hierarchy.meshes[level], &hierarchy.topologies[level], problem)
+        let Level { mesh, topology, .. } = &*hierarchy.levels()[level];
+        assemble_elasticity(mesh, topology, problem)
     };
     let (mut levels, mut coarse_matrices, mut coarse_seconds) = (Vec::new(), Vec::new(), 0.0);
     for level in 0..finest {
-        let (mesh, topology) = (&hierarchy.meshes[level], &hierarchy.topologies[level]);
+        let Level { mesh, topology, .. } = &*hierarchy.levels()[level];
         levels.push((&Constraints::new(mesh, topology, &problem.supports)?).into());
         if options.reassembles() {
             let start = Instant::now();

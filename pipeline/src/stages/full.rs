@@ -5,7 +5,9 @@ use std::borrow::Cow;
 use octruss_fem::Error;
 use octruss_fem::{LevelUnknowns, restrict_to_free, smooth_lift};
 use octruss_mesh::{Hierarchy, Scheme, SubdivisionMatrix, linear_matrix, quadratic_matrix};
-use octruss_solver::{Csr, Entry, Multigrid, Nodal, SolveOptions, conjugate_gradients, kernels};
+use octruss_solver::{
+    Csr, Multigrid, Nodal, SolveOptions, SystemEntry, conjugate_gradients, kernels,
+};
 
 use super::method::Cycle;
 use super::multigrid::Discrete;
@@ -41,7 +43,7 @@ impl FullTransfer {
     /// carry smooth functions best; on levels that linear refinement left as they
     /// were, quadratic interpolation does.
     fn auto(hierarchy: &Hierarchy) -> Self {
-        if hierarchy.refinements.iter().all(|refinement| refinement.scheme == Scheme::Linear) {
+        if hierarchy.refinements().all(|refinement| refinement.scheme == Scheme::Linear) {
             Self::Quadratic
         } else {
             Self::Scheme
@@ -50,26 +52,26 @@ impl FullTransfer {
 
     /// The matrices of all transfers, coarsest first.
     fn matrices(self, hierarchy: &Hierarchy) -> Vec<Cow<'_, SubdivisionMatrix>> {
-        let topologies = &hierarchy.topologies;
+        let topology = |level: usize| &hierarchy.levels()[level].topology;
         let matrix = |level: usize| match self {
-            Self::Scheme => Cow::Borrowed(&hierarchy.refinements[level].matrix),
+            Self::Scheme => Cow::Borrowed(&hierarchy.refinement(level).matrix),
             Self::Quadratic if level > 0 => {
-                Cow::Owned(quadratic_matrix(&topologies[level - 1], &topologies[level]))
+                Cow::Owned(quadratic_matrix(topology(level - 1), topology(level)))
             }
-            _ => Cow::Owned(linear_matrix(&topologies[level])),
+            _ => Cow::Owned(linear_matrix(topology(level))),
         };
-        (0..hierarchy.refinements.len()).map(matrix).collect()
+        (0..hierarchy.transfers()).map(matrix).collect()
     }
 
     /// One pass of full multigrid with one cycle a level.
-    pub(super) fn full_pass<E: Entry<Real = f64>>(
+    pub(super) fn full_pass<E: SystemEntry>(
         self,
         hierarchy: &Hierarchy,
         Discrete { matrix, rhs, levels, coarsest, .. }: &Discrete<E>,
         multigrid: &mut Multigrid<E>,
     ) -> Result<Vec<E::Nodal>, Error> {
         let matrices = self.matrices(hierarchy);
-        let pairs = matrices.iter().zip(levels.windows(2)).rev();
+        let pairs = matrices.iter().zip(levels.windows(2));
         let transfers = pairs
             .map(|(matrix, pair)| restrict_to_free(matrix, &pair[1].dofs, &pair[0].dofs))
             .collect::<Result<Vec<_>, _>>()?;
@@ -94,7 +96,7 @@ impl Solve {
 
     /// The solution of the coarsest level's own problem, if full multigrid needs it:
     /// with it the lift of prescribed values begins.
-    pub(super) fn coarsest_solution<E: Entry<Real = f64>>(
+    pub(super) fn coarsest_solution<E: SystemEntry>(
         &self,
         levels: &[LevelUnknowns<E>],
         assemble: impl FnOnce() -> Result<(Csr<E>, Vec<E::Nodal>), Error>,

@@ -2,8 +2,8 @@
 //! what stands for `auto`, and how the report tells it.
 
 use octruss_solver::{
-    Csr, CycleShape, Entry, Error, Multigrid, MultigridOptions, Precision, Preconditioner,
-    Smoother, SolveOptions, SolveReport, conjugate_gradients, stationary_iteration,
+    Csr, CycleShape, Error, Multigrid, MultigridOptions, Precision, Preconditioner, Smoother,
+    SolveOptions, SolveReport, SystemEntry, conjugate_gradients, stationary_iteration,
 };
 use serde::Serialize;
 
@@ -98,9 +98,9 @@ impl Solve {
         let smoother = match (self.smoother.0, self.smoothing_degree) {
             // A degree asks for the polynomial.
             (None | Some(Smoother::Chebyshev { .. }), Some(degree)) => {
-                Smoother::chebyshev(degree.get().into())
+                Some(Smoother::chebyshev(degree.get().into()))
             }
-            (given, _) => given.unwrap_or(auto.smoother),
+            (given, _) => given,
         };
         let [before, after] = self.sweeps.0.map(usize::from);
         let shape = match self.cycle() {
@@ -112,7 +112,7 @@ impl Solve {
     }
 
     /// Iterates as the keys ask.
-    pub(super) fn iterate<E: Entry<Real = f64>>(
+    pub(super) fn iterate<E: SystemEntry>(
         &self,
         (matrix, rhs): (&Csr<E>, &[E::Nodal]),
         multigrid: &mut Multigrid<E>,
@@ -125,7 +125,7 @@ impl Solve {
     }
 
     /// What `multigrid` is used as, and how its full pass transferred if it had one.
-    pub(crate) fn method_figures<E: Entry<Real = f64>>(
+    pub(crate) fn method_figures<E: SystemEntry>(
         &self,
         multigrid: &Multigrid<E>,
         full_transfer: Option<FullTransfer>,

@@ -5,7 +5,7 @@ use std::time::Instant;
 use octruss_fem::Error;
 use octruss_fem::{Dofs, LevelUnknowns};
 use octruss_mesh::{Hierarchy, TetMesh};
-use octruss_solver::{Csr, Entry, Multigrid, Nodal, SolveOptions};
+use octruss_solver::{Csr, Entry, Multigrid, Nodal, SolveOptions, SystemEntry};
 use serde::Serialize;
 
 use super::Context;
@@ -114,9 +114,9 @@ impl<E: Entry> Discrete<E> {
         &self.levels.last().expect("there is at least one level").dofs
     }
 
-    /// The projectors of each level, finest first.
+    /// The projectors of each level, coarsest first.
     fn projectors(&self) -> Vec<Vec<(u32, E)>> {
-        self.levels.iter().rev().map(|level| level.projectors.clone()).collect()
+        self.levels.iter().map(|level| level.projectors.clone()).collect()
     }
 
     /// Leaves of values at the unknowns of the finest level what is in free directions.
@@ -138,7 +138,7 @@ impl<E: Entry> Discrete<E> {
 ///
 /// # Errors
 /// Whatever the solver reports.
-pub fn set_up<'h, E: Entry<Real = f64>>(
+pub fn set_up<'h, E: SystemEntry>(
     options: &Solve,
     prolongations: Prolongations,
     hierarchy: &'h Hierarchy,
@@ -159,7 +159,7 @@ pub fn set_up<'h, E: Entry<Real = f64>>(
 ///
 /// # Errors
 /// Whatever the solver reports.
-pub fn solve_with<E: Entry<Real = f64>>(
+pub fn solve_with<E: SystemEntry>(
     options: &Solve,
     prolongations: Prolongations,
     hierarchy: &Hierarchy,
@@ -206,7 +206,7 @@ pub fn solve_with<E: Entry<Real = f64>>(
         method: options.method_figures(&multigrid, transfer),
         unknowns: discrete.unknowns(),
         levels: multigrid.levels().len(),
-        nonzeros: multigrid.levels()[0].nonzeros,
+        nonzeros: multigrid.finest().nonzeros,
         nonzeros_all_levels: multigrid.levels().iter().map(|level| level.nonzeros).sum(),
         operator_complexity: multigrid.operator_complexity(),
         grid_complexity: multigrid.grid_complexity(),

@@ -1,7 +1,7 @@
 //! A Poisson problem from the names that a config uses.
 
 use octruss_fem::{Poisson, Robin, Scalar, assemble};
-use octruss_mesh::{Hierarchy, RawMesh};
+use octruss_mesh::{Hierarchy, Level, RawMesh};
 
 use super::Context;
 use super::groups::{by_region, on_surfaces};
@@ -20,9 +20,11 @@ pub(crate) fn discretise(
     hierarchy: &Hierarchy,
     context: &Context,
 ) -> Result<Discrete<f64>, Error> {
-    let problem = problem(options, hierarchy.finest().raw(), context)?;
-    let system =
-        |level: usize| assemble(&hierarchy.meshes[level], &hierarchy.topologies[level], &problem);
+    let problem = problem(options, hierarchy.finest().mesh.raw(), context)?;
+    let system = |level: usize| {
+        let Level { mesh, topology, .. } = &*hierarchy.levels()[level];
+        assemble(mesh, topology, &problem)
+    };
     assemble_levels(options, hierarchy, &problem.fixed, system)
         .map_err(|source| context.solver("assembly", source))
 }

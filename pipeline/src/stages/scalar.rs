@@ -28,7 +28,7 @@ pub(super) fn solve(
         assembled(options, context, || discretise(options, hierarchy, context))?;
     let expand = |x: &[f64]| {
         let mut solution = discrete.finest().expand(x)?;
-        blank_outside(&mut solution, hierarchy.finest(), f64::NAN);
+        blank_outside(&mut solution, &hierarchy.finest().mesh, f64::NAN);
         let range = range(solution.iter().copied());
         Ok((solution, range))
     };
@@ -48,10 +48,10 @@ pub(super) fn assemble_levels(
     fixed: &[(i32, Scalar)],
     system: impl Fn(usize) -> Result<System, SolverError>,
 ) -> Result<Discrete<f64>, SolverError> {
-    let finest = hierarchy.meshes.len() - 1;
+    let finest = hierarchy.transfers();
     let (mut levels, mut coarse_matrices, mut coarse_seconds) = (Vec::new(), Vec::new(), 0.0);
     for level in 0..finest {
-        levels.push(Dofs::new(&hierarchy.meshes[level], fixed)?.into());
+        levels.push(Dofs::new(&hierarchy.levels()[level].mesh, fixed)?.into());
         if options.reassembles() {
             let start = Instant::now();
             coarse_matrices.push(system(level)?.matrix);

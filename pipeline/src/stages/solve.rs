@@ -7,7 +7,7 @@ use std::time::Instant;
 use octruss_fem::Error as SolverError;
 use octruss_mesh::{AffineCorrection, FeatureOptions, Hierarchy, InterfaceRows, Scheme};
 use octruss_meshio::{Field, Values};
-use octruss_solver::{Entry, Nodal, Precision, Smoother};
+use octruss_solver::{Nodal, Precision, Smoother, SystemEntry};
 use serde::{Deserialize, Serialize};
 use toml::Spanned;
 
@@ -217,7 +217,7 @@ fn add_fields(all: &mut Vec<Field>, new: Vec<Field>, number: &str) {
 }
 
 /// Assembles as the first step of a stage; what came of it, and the seconds.
-pub(super) fn assembled<E: Entry, T: AsRef<Discrete<E>>>(
+pub(super) fn assembled<E: SystemEntry, T: AsRef<Discrete<E>>>(
     options: &Solve,
     context: &Context,
     assemble: impl FnOnce() -> Result<T, Error>,
@@ -234,7 +234,7 @@ pub(super) fn assembled<E: Entry, T: AsRef<Discrete<E>>>(
 
 /// Solves with each prolongation; the first solution, as `expand` makes it of the
 /// unknowns, and the figures of all. `expand` also tells the range.
-pub(super) fn solve_in_turn<E: Entry<Real = f64>>(
+pub(super) fn solve_in_turn<E: SystemEntry>(
     options: &Solve,
     hierarchy: &Hierarchy,
     discrete: &Discrete<E>,
@@ -252,7 +252,14 @@ pub(super) fn solve_in_turn<E: Entry<Real = f64>>(
                 match expand(&of_rows(&at.iterate)) {
                     Ok((values, _)) => {
                         let field = options.problem.field_of(Nodal::flat(&values));
-                        keep(field, &source, at.report.clone(), hierarchy.finest(), &what, context)
+                        keep(
+                            field,
+                            &source,
+                            at.report.clone(),
+                            &hierarchy.finest().mesh,
+                            &what,
+                            context,
+                        )
                     }
                     Err(source) => context.solver(&what, source),
                 }

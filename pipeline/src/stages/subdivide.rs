@@ -108,7 +108,7 @@ impl Subdivide {
         context.remark(&notes);
         state.levels(&features);
         let hierarchy = state.hierarchy.as_ref().ok_or_else(|| context.order("check"))?;
-        let reasons = Some(&state.feature_reasons).filter(|_| hierarchy.refinements.is_empty());
+        let reasons = Some(&state.feature_reasons).filter(|_| hierarchy.transfers() == 0);
         let strata = Strata::of_finest(hierarchy, reasons);
         let mut report = SubdivideReport::new(self.scheme(), hierarchy, unmarked, strata);
         report.notes = notes;

@@ -111,7 +111,7 @@ impl SubdivideReport {
         strata: Strata,
     ) -> Self {
         let level = LevelReport { guard: None, ..LevelReport::of_finest(hierarchy) };
-        let marked = marking_report(&hierarchy.topologies[hierarchy.topologies.len() - 1]);
+        let marked = marking_report(&hierarchy.finest().topology);
         let (mut tension, mut interior) = (None, None);
         match scheme {
             Scheme::Interpolatory { tension: w, .. } => tension = Some(w),
@@ -145,8 +145,8 @@ impl SubdivideReport {
 
 impl Strata {
     pub(super) fn of_finest(hierarchy: &Hierarchy, reasons: Option<&FeatureReasons>) -> Self {
-        let mesh = hierarchy.finest();
-        let topology = &hierarchy.topologies[hierarchy.topologies.len() - 1];
+        let mesh = &hierarchy.finest().mesh;
+        let topology = &hierarchy.finest().topology;
         let features = mesh.features().cloned().unwrap_or_default();
         let strata = octruss_mesh::Strata::new(mesh.raw(), topology, &features);
         Self {
@@ -198,9 +198,9 @@ impl LevelReport {
     }
 
     pub(super) fn of_finest(hierarchy: &Hierarchy) -> Self {
-        let mesh = hierarchy.finest();
+        let mesh = &hierarchy.finest().mesh;
         let (eta_min, eta_mean) = mean_ratio_range(mesh.raw());
-        let guard = hierarchy.refinements.last().and_then(|refinement| refinement.guard);
+        let guard = hierarchy.finest().refinement.as_ref().and_then(|refinement| refinement.guard);
         Self {
             vertices: mesh.points().len(),
             tets: mesh.tets().len(),

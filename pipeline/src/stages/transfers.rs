@@ -5,7 +5,7 @@ use octruss_fem::{LevelUnknowns, restrict_to_free};
 use octruss_mesh::{
     AffineCorrection, CorrectedRows, Hierarchy, InterfaceRows, ProlongationOptions,
 };
-use octruss_solver::{Csr, Entry, Transfer};
+use octruss_solver::{Csr, SystemEntry, Transfer};
 use serde::Serialize;
 
 use crate::recipe::{Choice, Prolongation, Prolongations};
@@ -67,12 +67,12 @@ pub struct Made<'a> {
     made: octruss_mesh::Prolongation<'a>,
 }
 
-/// The transfers of a hierarchy, **finest first**, with Galerkin products, and the
-/// matrices that they are from, **coarsest first**.
+/// The transfers of a hierarchy, with Galerkin products, and the
+/// matrices that they are from, both **coarsest first**.
 ///
 /// # Errors
 /// Whatever the solver reports.
-pub fn transfers<'a, E: Entry<Real = f64>>(
+pub fn transfers<'a, E: SystemEntry>(
     options: &TransferOptions,
     hierarchy: &'a Hierarchy,
     levels: &[LevelUnknowns<E>],
@@ -88,7 +88,6 @@ pub fn transfers<'a, E: Entry<Real = f64>>(
         transfers.push(Transfer { prolongation: matrix, smooth, coarse_matrix: None });
         all.push(Made { prolongation, made });
     }
-    transfers.reverse();
     Ok((transfers, all))
 }
 
@@ -118,7 +117,7 @@ fn matrix_options(
     hierarchy: &Hierarchy,
     transfer: usize,
 ) -> ProlongationOptions {
-    let (named, made) = (prolongation.scheme(), hierarchy.refinements[transfer].scheme);
+    let (named, made) = (prolongation.scheme(), hierarchy.refinement(transfer).scheme);
     let scheme = if named.name() == made.name() { made } else { named };
     let TransferOptions { affine_correction, interface_rows, .. } = *options;
     ProlongationOptions { scheme, affine_correction, interface_rows }
@@ -127,7 +126,7 @@ fn matrix_options(
 /// Puts the matrices of coarse levels, **coarsest first**, into transfers; without
 /// any, Galerkin products stay.
 pub fn reassemble<E: Clone>(transfers: &mut [Transfer<E>], coarse: &[Csr<E>]) {
-    for (transfer, matrix) in transfers.iter_mut().rev().zip(coarse) {
+    for (transfer, matrix) in transfers.iter_mut().zip(coarse) {
         transfer.coarse_matrix = Some(matrix.clone());
     }
 }

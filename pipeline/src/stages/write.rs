@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use octruss_mesh::quality::mean_ratios;
-use octruss_mesh::{Strata, TetMesh, Topology};
+use octruss_mesh::{Hierarchy, Level, Strata, TetMesh, Topology};
 use octruss_meshio::{Dataset, Field, Values, pvd, vtu};
 use serde::{Deserialize, Serialize};
 
@@ -56,12 +56,11 @@ impl Default for Write {
 impl Write {
     pub(super) fn run(&self, state: &mut State, context: &Context) -> Result<WriteReport, Error> {
         let finest = state.finest().ok_or_else(|| context.order("check"))?;
-        let meshes = state.hierarchy.as_ref().map_or(&[][..], |levels| &levels.meshes);
-        let topologies = state.hierarchy.as_ref().map_or(&[][..], |levels| &levels.topologies);
-        let levels = if self.levels { meshes.len() } else { 0 };
+        let all = state.hierarchy.as_ref().map_or(&[][..], Hierarchy::levels);
+        let levels = if self.levels { all.len() } else { 0 };
         let folder = context.output_folder;
         create_folder(folder)?;
-        let derived = derived_fields(state, finest, topologies.last());
+        let derived = derived_fields(state, finest, all.last().map(|level| &level.topology));
         let notes = derived.replaced(&state.point_fields, &state.cell_fields);
         context.remark(&notes);
         let mut files = context.progress.step(1, levels + 1, "solution.vtu", || {
@@ -75,17 +74,18 @@ impl Write {
             self.write_solution(&folder.join("solution.vtu"), &solution)
         })?;
         files.extend(write_sides(&folder.join("solution.sides.vtu"), state)?);
-        if let Some(coarsest) = meshes.first().filter(|_| self.features) {
+        if let Some(coarsest) = all.first().filter(|_| self.features) {
             let path = folder.join("features.vtu");
-            vtu::write_features(&path, coarsest, &state.feature_reasons)?;
+            vtu::write_features(&path, &coarsest.mesh, &state.feature_reasons)?;
             files.push(path);
         }
         let mut entries = Vec::new();
-        for (number, (mesh, topology)) in meshes.iter().zip(topologies).take(levels).enumerate() {
+        for (number, level) in all.iter().take(levels).enumerate() {
+            let Level { mesh, topology, .. } = &**level;
             let name = format!("level-{number}.vtu");
             let path = folder.join(&name);
             context.progress.step(number + 2, levels + 1, &name, || {
-                if number + 1 == meshes.len() {
+                if number + 1 == all.len() {
                     return write_level(&path, mesh, &derived);
                 }
                 write_level(&path, mesh, &derived_fields(state, mesh, Some(topology)))

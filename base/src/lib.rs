@@ -1,6 +1,6 @@
 //! What meshes and matrices are made with, and no word of either: parallel work
 //! that gives the same bits for any number of threads, memory for large arrays,
-//! grouping by a key, vectors of three numbers.
+//! grouping by a key, vectors of three numbers, choices by name.
 //!
 //! ```
 //! use octruss_base::groups::Groups;
@@ -11,9 +11,11 @@
 //! assert_eq!(groups.of(0), [0, 2, 3]);
 //! ```
 
+pub mod choice;
 pub mod chunks;
 pub mod groups;
 pub mod large_array;
 pub mod ragged;
+pub mod suggestion;
 pub mod vector3;
 pub mod workspaces;

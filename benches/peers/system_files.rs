@@ -62,6 +62,7 @@ pub fn read_matrix<E: SystemEntry>(folder: &Path, name: &str, columns: usize) ->
 #[cfg(test)]
 mod tests {
     use super::*;
+    use octruss_solver::Entry;
 
     type Block = [[f64; 3]; 3];
 

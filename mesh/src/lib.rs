@@ -12,6 +12,7 @@
 //! [`Scheme`] every weight, [`strata`] decides which rule holds where.
 
 pub mod analysis;
+mod choices;
 mod core;
 pub mod features;
 pub mod hierarchy;

@@ -30,6 +30,7 @@
 //! # Ok::<(), Error>(())
 //! ```
 
+mod choices;
 mod error;
 mod krylov;
 mod multigrid;

@@ -1,8 +1,7 @@
-//! Closed choices of the solver crate, by name.
+//! The names of closed choices.
 
-use octruss_solver::{Precision, Smoother};
-
-use super::choice::Choice;
+use crate::multigrid::options::{Precision, Smoother};
+use octruss_base::choice::Choice;
 
 /// Each with its usual parameters.
 impl Choice for Smoother {

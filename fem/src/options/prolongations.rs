@@ -6,18 +6,18 @@ use octruss_mesh::Scheme;
 use serde::de::value::MapAccessDeserializer;
 use serde::de::{Deserialize, Deserializer, Error, MapAccess, Visitor};
 
-use super::choice::{Choice, Named};
+use octruss_base::choice::{Choice, Named};
 
 /// The matrices of one transfer.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Prolongation {
+pub enum ProlongationKind {
     /// Those of a scheme.
     Scheme(Scheme),
     /// Linear interpolation, smoothed by a step of Jacobi's method.
     SmoothedLinear,
 }
 
-impl Prolongation {
+impl ProlongationKind {
     /// The scheme whose weights it begins with.
     pub fn scheme(self) -> Scheme {
         match self {
@@ -29,7 +29,7 @@ impl Prolongation {
 
 const _: () = assert!(Scheme::ALL.len() == 6, "the list below has all schemes");
 
-impl Choice for Prolongation {
+impl Choice for ProlongationKind {
     const WHAT: &'static str = "prolongation";
     const ALL: &'static [Self] = &[
         Self::Scheme(Scheme::ALL[0]),
@@ -51,30 +51,29 @@ impl Choice for Prolongation {
 /// The matrices of all transfers: one name, or `{ finest = …, coarser = … }`.
 ///
 /// ```
-/// use octruss::recipe::Prolongations;
-/// let both: Prolongations = toml::Value::Table(toml::toml! {
-///     finest = "box-spline"
-///     coarser = "linear"
-/// }).try_into().unwrap();
+/// use octruss_fem::{ProlongationKind, Prolongations};
+/// use octruss_mesh::Scheme;
+/// let finest = ProlongationKind::Scheme(Scheme::BoxSpline);
+/// let both = Prolongations { finest, ..Scheme::Linear.into() };
 /// assert_eq!(both.to_string(), "box-spline/linear");
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Prolongations {
     /// On the transfer to the finest level.
-    pub finest: Prolongation,
+    pub finest: ProlongationKind,
     /// On all others.
-    pub coarser: Prolongation,
+    pub coarser: ProlongationKind,
 }
 
-impl From<Prolongation> for Prolongations {
-    fn from(everywhere: Prolongation) -> Self {
+impl From<ProlongationKind> for Prolongations {
+    fn from(everywhere: ProlongationKind) -> Self {
         Self { finest: everywhere, coarser: everywhere }
     }
 }
 
 impl From<Scheme> for Prolongations {
     fn from(scheme: Scheme) -> Self {
-        Prolongation::Scheme(scheme).into()
+        ProlongationKind::Scheme(scheme).into()
     }
 }
 
@@ -98,8 +97,8 @@ impl<'de> Deserialize<'de> for Prolongations {
 #[derive(serde::Deserialize)]
 #[serde(deny_unknown_fields)]
 struct ByTransfer {
-    finest: Named<Prolongation>,
-    coarser: Named<Prolongation>,
+    finest: Named<ProlongationKind>,
+    coarser: Named<ProlongationKind>,
 }
 
 struct ProlongationsVisitor;
@@ -114,7 +113,9 @@ impl<'de> Visitor<'de> for ProlongationsVisitor {
     }
 
     fn visit_str<E: Error>(self, name: &str) -> Result<Prolongations, E> {
-        name.parse().map(|Named(prolongation)| Prolongation::into(prolongation)).map_err(E::custom)
+        name.parse()
+            .map(|Named(prolongation)| ProlongationKind::into(prolongation))
+            .map_err(E::custom)
     }
 
     fn visit_map<A: MapAccess<'de>>(self, map: A) -> Result<Prolongations, A::Error> {

@@ -1,0 +1,150 @@
+//! A problem on all levels of a hierarchy.
+
+use crate::boundary::level_unknowns::LevelUnknowns;
+use crate::discretisation::problem::{Assembled, Problem};
+use crate::discretisation::solution::Solution;
+use crate::discretisation::solver::Solver;
+use crate::discretisation::unknown::Unknown;
+use crate::error::Error;
+use crate::options::choices::Cycle;
+use crate::options::solving::Options;
+use octruss_mesh::Hierarchy;
+use octruss_solver::{Csr, Multigrid, SolveOptions, conjugate_gradients};
+use std::time::Instant;
+
+/// A problem on a hierarchy: the matrix and the right-hand side of the finest level, and
+/// the unknowns of all.
+///
+/// ```
+/// use octruss_fem::{Discretisation, Options, Poisson};
+/// use octruss_mesh::{FeatureOptions, Hierarchy, Scheme, shapes::kuhn_cube};
+///
+/// let mut hierarchy = Hierarchy::new(kuhn_cube(2), &FeatureOptions::default());
+/// hierarchy.subdivide(Scheme::Linear)?;
+/// hierarchy.subdivide(Scheme::Linear)?;
+/// let problem = Poisson {
+///     source: 1.0.into(),
+///     fixed: (1..=6).map(|side| (side, 0.0.into())).collect(),
+///     ..Poisson::default()
+/// };
+/// let options = Options::default();
+/// let solution = Discretisation::new(&hierarchy, &problem, &options)?.solve(&options)?;
+/// // The middle of a unit cube with unit source is at 0.0562; this mesh is coarse.
+/// let middle = solution.values.into_iter().fold(0.0, f64::max);
+/// assert!((middle - 0.0562).abs() < 0.003);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub struct Discretisation<'h, E: Unknown = f64> {
+    /// The levels.
+    pub hierarchy: &'h Hierarchy,
+    /// One row for each free unknown of the finest level.
+    pub matrix: Csr<E>,
+    /// One entry for each free unknown of the finest level.
+    pub rhs: Vec<E::Nodal>,
+    /// Which unknowns of the finest level are free, and what the others are.
+    pub constraints: E::Constraints,
+    /// The unknowns of each level, coarsest first.
+    pub levels: Vec<LevelUnknowns<E>>,
+    /// The matrices assembled on the coarse levels, coarsest first, where asked for.
+    pub coarse_matrices: Vec<Csr<E>>,
+    /// The time that assembling them took.
+    pub reassembly_seconds: f64,
+    /// The solution of the coarsest level's own problem, where full multigrid needs
+    /// one: with it the lift of prescribed values begins.
+    pub(crate) coarsest: Option<Vec<E::Nodal>>,
+}
+
+impl<'h, E: Unknown> Discretisation<'h, E> {
+    /// Assembles a problem on the finest level, and of the coarser ones what the options
+    /// need: matrices if they are to be re-assembled, a solution if full multigrid is to
+    /// lift prescribed values.
+    ///
+    /// # Errors
+    /// [`Error`] tells what is wrong with the data of the problem.
+    pub fn new<P: Problem<Entry = E>>(
+        hierarchy: &'h Hierarchy,
+        problem: &P,
+        options: &Options,
+    ) -> Result<Self, Error> {
+        let (finest, coarser) = hierarchy.levels().split_last().expect("at least one level");
+        let (mut levels, mut coarse_matrices, mut seconds) = (Vec::new(), Vec::new(), 0.0);
+        for level in coarser {
+            levels.push(E::level(&problem.constraints(level)?));
+            if options.reassembles() {
+                let start = Instant::now();
+                coarse_matrices.push(problem.assemble(level)?.matrix);
+                seconds += start.elapsed().as_secs_f64();
+            }
+        }
+        let Assembled { matrix, rhs, constraints } = problem.assemble(finest)?;
+        levels.push(E::level(&constraints));
+        let lifts =
+            options.cycle() == Cycle::Full && !levels.iter().all(LevelUnknowns::is_homogeneous);
+        let coarsest = lifts
+            .then(|| solve_directly(problem.assemble(hierarchy.coarsest())?, options))
+            .transpose()?;
+        let reassembly_seconds = seconds;
+        Ok(Self {
+            hierarchy,
+            matrix,
+            rhs,
+            constraints,
+            levels,
+            coarse_matrices,
+            reassembly_seconds,
+            coarsest,
+        })
+    }
+
+    /// The unknowns of the finest level.
+    ///
+    /// # Panics
+    /// Never: there is at least one level.
+    pub fn finest(&self) -> &LevelUnknowns<E> {
+        self.levels.last().expect("there is at least one level")
+    }
+
+    /// How many numbers are unknown.
+    pub fn unknowns(&self) -> usize {
+        E::SIZE * self.finest().dofs.unknowns()
+    }
+
+    /// A value for each vertex of the finest level from the unknowns.
+    ///
+    /// # Errors
+    /// [`octruss_solver::Error::Size`] unless there is one `x` for each unknown.
+    pub fn expand(&self, x: &[E::Nodal]) -> Result<Vec<E::Nodal>, Error> {
+        E::expand(&self.constraints, x)
+    }
+
+    /// Leaves of values at the unknowns of the finest level what is in free directions.
+    pub fn project(&self, x: &mut [E::Nodal]) {
+        octruss_solver::project(&self.finest().projectors, x);
+    }
+
+    /// Sets up what solves it: transfers, coarse matrices, smoothers.
+    ///
+    /// # Errors
+    /// As [`Multigrid::with_transfers`].
+    pub fn solver(&self, options: &Options) -> Result<Solver<'_, E>, Error> {
+        Solver::new(self, options)
+    }
+
+    /// Solves it.
+    ///
+    /// # Errors
+    /// As [`Discretisation::solver`] and [`Solver::solve`].
+    pub fn solve(&self, options: &Options) -> Result<Solution<E>, Error> {
+        self.solver(options)?.solve(None)
+    }
+}
+
+fn solve_directly<E: Unknown>(
+    system: Assembled<E>,
+    options: &Options,
+) -> Result<Vec<E::Nodal>, Error> {
+    let Assembled { matrix, rhs, .. } = system;
+    let mut direct = Multigrid::new(&matrix, Vec::new(), &options.multigrid())?;
+    let (x, _) = conjugate_gradients(&matrix, &rhs, &mut direct, &SolveOptions::default())?;
+    Ok(x)
+}

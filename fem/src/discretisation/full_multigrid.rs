@@ -1,0 +1,61 @@
+//! Full multigrid: from the coarsest level up to a start for the iteration.
+
+use crate::discretisation::discretise::Discretisation;
+use crate::discretisation::unknown::Unknown;
+use crate::error::Error;
+use crate::lift::smooth_lift;
+use crate::options::choices::{Cycle, FullTransfer};
+use crate::options::solving::Options;
+use crate::transfer::restrict_to_free;
+use octruss_mesh::{Hierarchy, Scheme, SubdivisionMatrix, linear_matrix, quadratic_matrix};
+use octruss_solver::{Multigrid, Nodal, kernels};
+use std::borrow::Cow;
+
+impl Options {
+    /// How full multigrid transfers, if it is asked for. What suits the levels if that is
+    /// left open: where a smooth scheme moved their vertices, its matrices carry smooth
+    /// functions best; on levels that linear refinement left as they were, quadratic
+    /// interpolation does.
+    pub fn full_transfer(&self, hierarchy: &Hierarchy) -> Option<FullTransfer> {
+        let is_linear = hierarchy.refinements().all(|made| made.scheme == Scheme::Linear);
+        let usual = if is_linear { FullTransfer::Quadratic } else { FullTransfer::Scheme };
+        (self.cycle() == Cycle::Full).then(|| self.full_transfer.unwrap_or(usual))
+    }
+}
+
+/// The matrices of all transfers, coarsest first.
+fn matrices(transfer: FullTransfer, hierarchy: &Hierarchy) -> Vec<Cow<'_, SubdivisionMatrix>> {
+    let topology = |level: usize| &hierarchy.levels()[level].topology;
+    let matrix = |level: usize| match transfer {
+        FullTransfer::Scheme => Cow::Borrowed(&hierarchy.refinement(level).matrix),
+        FullTransfer::Quadratic if level > 0 => {
+            Cow::Owned(quadratic_matrix(topology(level - 1), topology(level)))
+        }
+        _ => Cow::Owned(linear_matrix(topology(level))),
+    };
+    (0..hierarchy.transfers()).map(matrix).collect()
+}
+
+/// One pass with one cycle a level.
+pub(crate) fn full_pass<E: Unknown>(
+    transfer: FullTransfer,
+    discretisation: &Discretisation<E>,
+    multigrid: &mut Multigrid<E>,
+) -> Result<Vec<E::Nodal>, Error> {
+    let Discretisation { hierarchy, matrix, rhs, levels, coarsest, .. } = discretisation;
+    let matrices = matrices(transfer, hierarchy);
+    let transfers = matrices
+        .iter()
+        .zip(levels.windows(2))
+        .map(|(matrix, pair)| restrict_to_free(matrix, &pair[1].dofs, &pair[0].dofs))
+        .collect::<Result<Vec<_>, _>>()?;
+    let Some(coarsest) = coarsest else {
+        return Ok(multigrid.full_multigrid(rhs, &transfers, 1)?);
+    };
+    let lift = smooth_lift(coarsest, &matrices, levels)?;
+    let mut rest = rhs.clone();
+    kernels::residual(matrix, &lift, rhs, &mut rest);
+    let mut x = multigrid.full_multigrid(&rest, &transfers, 1)?;
+    x.iter_mut().zip(&lift).for_each(|(x, lift)| *x = x.plus(*lift));
+    Ok(x)
+}

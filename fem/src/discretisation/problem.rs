@@ -1,0 +1,93 @@
+//! What can be discretised.
+
+use crate::assemble::biharmonic::assemble_biharmonic;
+use crate::assemble::elasticity::{VectorSystem, assemble_elasticity};
+use crate::assemble::poisson::{System, assemble};
+use crate::boundary::constraints::Constraints;
+use crate::boundary::dofs::Dofs;
+use crate::discretisation::unknown::Unknown;
+use crate::error::Error;
+use crate::problem::biharmonic::Biharmonic;
+use crate::problem::elasticity::Elasticity;
+use crate::problem::poisson::Poisson;
+use octruss_mesh::Level;
+use octruss_solver::Csr;
+
+/// An equation with its data, on any level of a hierarchy.
+pub trait Problem {
+    /// What a vertex carries.
+    type Entry: Unknown;
+
+    /// Which unknowns are free on a level, and what the others are.
+    ///
+    /// # Errors
+    /// As assembling, about what is prescribed.
+    fn constraints(&self, level: &Level) -> Result<Constrained<Self>, Error>;
+
+    /// Matrix and right-hand side on a level.
+    ///
+    /// # Errors
+    /// [`Error`] tells what is wrong with the data of the problem.
+    fn assemble(&self, level: &Level) -> Result<Assembled<Self::Entry>, Error>;
+}
+
+/// The constraints of a problem.
+pub type Constrained<P> = <<P as Problem>::Entry as Unknown>::Constraints;
+
+/// A problem on one level.
+pub struct Assembled<E: Unknown> {
+    /// One row for each free unknown.
+    pub matrix: Csr<E>,
+    /// One entry for each free unknown.
+    pub rhs: Vec<E::Nodal>,
+    /// Which these are.
+    pub constraints: E::Constraints,
+}
+
+impl From<System> for Assembled<f64> {
+    fn from(System { matrix, rhs, dofs }: System) -> Self {
+        Self { matrix, rhs, constraints: dofs }
+    }
+}
+
+impl From<VectorSystem> for Assembled<[[f64; 3]; 3]> {
+    fn from(VectorSystem { matrix, rhs, constraints }: VectorSystem) -> Self {
+        Self { matrix, rhs, constraints }
+    }
+}
+
+impl Problem for Poisson {
+    type Entry = f64;
+
+    fn constraints(&self, level: &Level) -> Result<Dofs, Error> {
+        Dofs::new(&level.mesh, &self.fixed)
+    }
+
+    fn assemble(&self, level: &Level) -> Result<Assembled<f64>, Error> {
+        assemble(&level.mesh, &level.topology, self).map(Assembled::from)
+    }
+}
+
+impl Problem for Biharmonic {
+    type Entry = f64;
+
+    fn constraints(&self, level: &Level) -> Result<Dofs, Error> {
+        Dofs::new(&level.mesh, &self.fixed)
+    }
+
+    fn assemble(&self, level: &Level) -> Result<Assembled<f64>, Error> {
+        assemble_biharmonic(&level.mesh, &level.topology, self).map(Assembled::from)
+    }
+}
+
+impl Problem for Elasticity {
+    type Entry = [[f64; 3]; 3];
+
+    fn constraints(&self, level: &Level) -> Result<Constraints, Error> {
+        Constraints::new(&level.mesh, &level.topology, &self.supports)
+    }
+
+    fn assemble(&self, level: &Level) -> Result<Assembled<[[f64; 3]; 3]>, Error> {
+        assemble_elasticity(&level.mesh, &level.topology, self).map(Assembled::from)
+    }
+}

@@ -1,0 +1,24 @@
+//! The closed choices of this crate, by name.
+
+use crate::{AffineCorrection, Diagonal, InterfaceRows, Marking, Scheme};
+use octruss_base::choice::Choice;
+
+macro_rules! choices {
+    ($($choice:ident: $what:literal,)*) => {$(
+        impl Choice for $choice {
+            const WHAT: &'static str = $what;
+            const ALL: &'static [Self] = &$choice::ALL;
+            fn name(self) -> &'static str {
+                $choice::name(self)
+            }
+        }
+    )*};
+}
+
+choices! {
+    Scheme: "scheme",
+    Marking: "marking",
+    Diagonal: "diagonal",
+    AffineCorrection: "affine correction",
+    InterfaceRows: "choice of interface rows",
+}

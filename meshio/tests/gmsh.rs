@@ -4,7 +4,7 @@
 use std::path::PathBuf;
 
 use octruss_mesh::{Group, RawMesh, Tagged};
-use octruss_meshio::{Dataset, Field, Values, gmsh};
+use octruss_meshio::{Dataset, Field, Values};
 
 const BLOCKS: [&str; 4] = [
     "blocks-4.1-ascii.msh",
@@ -15,7 +15,7 @@ const BLOCKS: [&str; 4] = [
 
 fn read(name: &str) -> Dataset {
     let folder = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("tests/data/gmsh");
-    gmsh::read(&folder.join(name)).unwrap_or_else(|error| panic!("{error}"))
+    octruss_meshio::read(&folder.join(name)).unwrap_or_else(|error| panic!("{error}"))
 }
 
 /// How many simplices each id has, by ascending id.

@@ -1,9 +1,9 @@
 //! Details of the format, on meshes small enough to be written out here.
 
-use octruss_meshio::{Dataset, Field, Values, gmsh};
+use octruss_meshio::{Dataset, Field, Values, parse};
 
 fn read(bytes: &[u8]) -> Dataset {
-    gmsh::parse("small.msh".as_ref(), bytes).unwrap_or_else(|error| panic!("{error}"))
+    parse("small.msh".as_ref(), bytes).unwrap_or_else(|error| panic!("{error}"))
 }
 
 /// A 2.2 file with five nodes and these lines of elements.
@@ -168,7 +168,7 @@ fn element_node_data_become_fields_at_corners() {
     assert_eq!(notes, ["the field \"q\" has no value for 1 of 2 tets; it is NaN there"]);
 
     let few = data.replace("9 4 5 6 7 8", "9 3 5 6 7");
-    let refused = gmsh::parse("small.msh".as_ref(), format!("{mesh}{few}").as_bytes());
+    let refused = parse("small.msh".as_ref(), format!("{mesh}{few}").as_bytes());
     let error = refused.unwrap_err().to_string();
     // 17 lines of mesh, 9 before the values, and that of the triangle.
     assert!(error.contains(":28: values at 3 nodes of a tet; expected at least its 4"), "{error}");

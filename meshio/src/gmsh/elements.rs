@@ -5,7 +5,7 @@ use octruss_mesh::Tagged;
 use super::element_types::{ElementType, Shape};
 use super::nodes::Nodes;
 use super::scanner::Scanner;
-use crate::Error;
+use crate::problem::Problem;
 
 /// Elements by shape, nodes already numbered.
 #[derive(Debug, Default)]
@@ -38,7 +38,7 @@ pub fn element_type(
     scanner: &Scanner,
     place: usize,
     code: i32,
-) -> Result<&'static ElementType, Error> {
+) -> Result<&'static ElementType, Problem> {
     ElementType::of(code).ok_or_else(|| {
         scanner.malformed_at(
             place,
@@ -55,9 +55,9 @@ pub fn read_nodes(
     scanner: &mut Scanner,
     nodes: &Nodes,
     kind: &ElementType,
-    tag: impl Fn(&mut Scanner) -> Result<u64, Error>,
+    tag: impl Fn(&mut Scanner) -> Result<u64, Problem>,
     numbers: &mut Vec<u32>,
-) -> Result<(), Error> {
+) -> Result<(), Problem> {
     numbers.resize(kind.nodes, 0);
     for number in numbers.iter_mut() {
         let place = scanner.position();
@@ -133,7 +133,7 @@ impl Elements {
     }
 
     /// Refuses a file with elements that are not handled, naming them all.
-    pub fn refuse_unsupported(&self, scanner: &Scanner) -> Result<(), Error> {
+    pub fn refuse_unsupported(&self) -> Result<(), Problem> {
         if self.unsupported.is_empty() {
             return Ok(());
         }
@@ -142,7 +142,7 @@ impl Elements {
             .iter()
             .map(|(kind, count)| format!("{count} {} (element type {})", kind.plural, kind.code))
             .collect();
-        Err(scanner.unsupported(format!(
+        Err(Problem::unsupported(format!(
             "the mesh has {}; only tetrahedra, triangles, lines and points of first or second \
              order are read: mesh it again without recombination, with Mesh.ElementOrder = 1",
             list.join(", ")

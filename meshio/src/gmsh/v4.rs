@@ -4,7 +4,7 @@ use super::elements::{Elements, element_type, read_nodes};
 use super::entities::Entities;
 use super::nodes::{NodeList, Nodes};
 use super::scanner::{Encoding, Scanner};
-use crate::Error;
+use crate::problem::Problem;
 
 /// The first record of `$Nodes` or `$Elements`.
 struct SectionHeader {
@@ -13,7 +13,7 @@ struct SectionHeader {
 }
 
 /// Reads `$Nodes`: in each block all tags, then all coordinates.
-pub fn nodes(scanner: &mut Scanner) -> Result<Nodes, Error> {
+pub fn nodes(scanner: &mut Scanner) -> Result<Nodes, Problem> {
     let place = scanner.position();
     let header = section_header(scanner)?;
     let least = if scanner.encoding == Encoding::Ascii { 8 } else { 32 };
@@ -25,7 +25,7 @@ pub fn nodes(scanner: &mut Scanner) -> Result<Nodes, Error> {
     list.finish(scanner, header.total)
 }
 
-fn node_block(scanner: &mut Scanner, list: &mut NodeList, least: usize) -> Result<(), Error> {
+fn node_block(scanner: &mut Scanner, list: &mut NodeList, least: usize) -> Result<(), Problem> {
     let dimension = entity_dimension(scanner)?;
     scanner.int("the tag of an entity")?;
     let place = scanner.position();
@@ -70,7 +70,7 @@ pub fn elements(
     scanner: &mut Scanner,
     nodes: &Nodes,
     entities: &Entities,
-) -> Result<Elements, Error> {
+) -> Result<Elements, Problem> {
     let header = section_header(scanner)?;
     let mut elements = Elements::default();
     let mut total = 0;
@@ -92,7 +92,7 @@ fn element_block(
     nodes: &Nodes,
     entities: &Entities,
     elements: &mut Elements,
-) -> Result<u64, Error> {
+) -> Result<u64, Problem> {
     let dimension = entity_dimension(scanner)?;
     let groups = entities.groups(dimension, scanner.int("the tag of an entity")?);
     let place = scanner.position();
@@ -113,7 +113,7 @@ fn element_block(
     Ok(count)
 }
 
-fn entity_dimension(scanner: &mut Scanner) -> Result<i32, Error> {
+fn entity_dimension(scanner: &mut Scanner) -> Result<i32, Problem> {
     let place = scanner.position();
     let dimension = scanner.int("the dimension of an entity")?;
     if (0..=3).contains(&dimension) {
@@ -123,7 +123,7 @@ fn entity_dimension(scanner: &mut Scanner) -> Result<i32, Error> {
         .malformed_at(place, format!("the dimension of an entity is {dimension}; expected 0 to 3")))
 }
 
-fn section_header(scanner: &mut Scanner) -> Result<SectionHeader, Error> {
+fn section_header(scanner: &mut Scanner) -> Result<SectionHeader, Problem> {
     let blocks = scanner.size("the number of blocks")?;
     let total = scanner.size("the total number")?;
     scanner.size("the smallest tag")?;

@@ -10,6 +10,7 @@ use super::blocks::Packing;
 use super::number::NumberType;
 use crate::error::Place;
 use crate::problem::Problem;
+use crate::text::line_at;
 
 /// What the XML says, and the bytes that it refers to.
 #[derive(Debug)]
@@ -100,16 +101,17 @@ pub(crate) fn parse(bytes: &[u8]) -> Result<Header<'_>, Problem> {
     reader.config_mut().expand_empty_elements = true;
     loop {
         let event = reader.read_event().map_err(|reason| {
-            let line = line_at(text, reader.error_position());
+            let line = line_at(bytes, reader.error_position() as usize);
             Problem::Malformed(Place::Line(line), format!("the XML is broken: {reason}"))
         })?;
         if matches!(event, Event::Eof) {
             break;
         }
         parser.event(event).map_err(|problem| match problem {
-            Problem::Malformed(Place::Whole, message) => {
-                Problem::Malformed(Place::Line(line_at(text, reader.buffer_position())), message)
-            }
+            Problem::Malformed(Place::Whole, message) => Problem::Malformed(
+                Place::Line(line_at(bytes, reader.buffer_position() as usize)),
+                message,
+            ),
             other => other,
         })?;
     }
@@ -130,11 +132,6 @@ fn end_of_xml(bytes: &[u8]) -> usize {
         from = start + 1;
     }
     bytes.len()
-}
-
-fn line_at(text: &str, position: u64) -> usize {
-    let end = (position as usize).min(text.len());
-    text.as_bytes()[..end].iter().filter(|&&byte| byte == b'\n').count() + 1
 }
 
 #[derive(Default)]

@@ -17,7 +17,7 @@ pub fn write(path: &Path, dataset: &Dataset) -> Result<(), Error> {
     write_with(path, dataset, &VtuOptions::default())
 }
 
-/// Writes a VTU file that [`super::read`] turns into the same dataset again.
+/// Writes a VTU file that [`crate::read`] turns into the same dataset again.
 ///
 /// Its cells are the tets, with the cell array `region` (Int32) and one array a
 /// field (Float64 or Int64). Group names, tagged triangles, edges and vertices,

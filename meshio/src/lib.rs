@@ -23,10 +23,12 @@ pub mod legacy;
 pub mod pvd;
 pub mod vtu;
 
+mod cell_kind;
 mod field_data;
 mod fingerprint;
 mod grid;
 mod mid_side;
+mod notes;
 mod problem;
 mod text;
 

@@ -21,7 +21,6 @@
 
 mod assemble;
 mod data;
-mod element_types;
 mod elements;
 mod entities;
 mod header;

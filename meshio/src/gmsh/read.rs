@@ -10,6 +10,7 @@ use super::scanner::Scanner;
 use super::tags::TagMap;
 use super::{names, v2, v4};
 use crate::dataset::Dataset;
+use crate::notes;
 use crate::problem::Problem;
 
 /// The dataset in the bytes of a Gmsh file.
@@ -107,7 +108,7 @@ impl Reader {
         const NO_DATA: [&str; 5] =
             ["Comments", "Periodic", "GhostElements", "Parametrizations", "InterpolationScheme"];
         if !NO_DATA.contains(&name) {
-            self.sections.notes.push(format!("the section ${name} was passed over"));
+            self.sections.notes.push(notes::section(&format!("${name}")));
         }
         scanner.skip_past_line(&format!("$End{name}"))
     }

@@ -1,6 +1,5 @@
 //! Nodes and elements of MSH 2.2: each element carries its tags.
 
-use super::element_types::Shape;
 use super::elements::{Elements, element_type, read_nodes};
 use super::nodes::{NodeList, Nodes};
 use super::scanner::{Encoding, Scanner};
@@ -37,7 +36,7 @@ pub fn elements(scanner: &mut Scanner, nodes: &Nodes) -> Result<Elements, Proble
     let room = scanner.announced(place, count, 8, "elements")?;
     let mut elements = Elements::default();
     // Most elements of a volume mesh are tets.
-    elements.reserve(Shape::Tet, room);
+    elements.reserve_tets(room);
     if scanner.encoding == Encoding::Ascii {
         ascii_elements(scanner, nodes, count, &mut elements)?;
     } else {

@@ -4,6 +4,7 @@ use super::elements::{Elements, element_type, read_nodes};
 use super::entities::Entities;
 use super::nodes::{NodeList, Nodes};
 use super::scanner::{Encoding, Scanner};
+use crate::cell_kind::Simplex;
 use crate::problem::Problem;
 
 /// The first record of `$Nodes` or `$Elements`.
@@ -103,7 +104,9 @@ fn element_block(
     scanner.end_record("the start of the block")?;
     let least = if scanner.encoding == Encoding::Ascii { 2 } else { 8 } * (1 + kind.nodes);
     let room = scanner.announced(place, count, least - 1, "elements of a block")?;
-    elements.reserve(kind.shape, room);
+    if kind.simplex == Some(Simplex::Tet) {
+        elements.reserve_tets(room);
+    }
     let mut numbers = Vec::with_capacity(kind.nodes);
     for _ in 0..count {
         let tag = scanner.size("an element tag")?;

@@ -12,6 +12,7 @@ use super::{dialect, names};
 use crate::dataset::{Dataset, Field, Values};
 use crate::error::Place;
 use crate::grid::Grid;
+use crate::notes;
 use crate::problem::Problem;
 
 /// The dataset in the bytes of a legacy VTK file.
@@ -131,7 +132,7 @@ fn fields(
     let mut add = |name: &str, components: usize, buffer: IOBuffer| {
         let name = names::decode(name);
         if matches!(buffer, IOBuffer::Bit(_)) {
-            notes.push(format!("The array `{name}` holds bits and was left out."));
+            notes.push(notes::bits(&name));
             return Ok(());
         }
         let part = || format!("array `{name}`");
@@ -161,7 +162,7 @@ fn fields(
             }
         }
     }
-    notes.extend(tables.iter().map(|name| format!("The lookup table `{name}` was left out.")));
+    notes.extend(tables.iter().map(|name| notes::lookup_table(name)));
     Ok(fields)
 }
 

@@ -5,9 +5,9 @@ use std::borrow::Cow;
 use quick_xml::Reader;
 use quick_xml::events::{BytesStart, Event};
 
+use super::array_tag::{ArrayTag, Source};
 use super::attributes::{Attributes, appended_encoding, array, packing};
 use super::blocks::Packing;
-use super::number::NumberType;
 use crate::error::Place;
 use crate::problem::Problem;
 use crate::text::line_at;
@@ -32,34 +32,6 @@ pub(crate) struct Piece<'a> {
     pub(crate) cell_data: Vec<ArrayTag<'a>>,
     pub(crate) positions: Vec<ArrayTag<'a>>,
     pub(crate) topology: Vec<ArrayTag<'a>>,
-}
-
-/// One `<DataArray>`.
-#[derive(Debug)]
-pub(crate) struct ArrayTag<'a> {
-    pub(crate) name: String,
-    pub(crate) kind: ArrayKind,
-    pub(crate) components: usize,
-    pub(crate) source: Source<'a>,
-}
-
-/// What an array is made of.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum ArrayKind {
-    Numbers(NumberType),
-    /// Strings or bits, which no field is made of.
-    Other,
-}
-
-/// Where the values of an array are.
-#[derive(Debug)]
-pub(crate) enum Source<'a> {
-    /// In the element, as numbers in text.
-    Ascii(Cow<'a, str>),
-    /// In the element, as base64.
-    Base64(Cow<'a, str>),
-    /// In the appended section, so far behind its underscore.
-    Appended(u64),
 }
 
 /// The appended section, from behind its underscore.

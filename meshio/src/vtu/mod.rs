@@ -17,6 +17,7 @@
 //! Writing is `write`, `surfaces` and `features` (what the arrays are) and
 //! `document` (XML and appended bytes).
 
+mod array_tag;
 mod attributes;
 mod base64;
 mod blocks;

@@ -2,11 +2,13 @@
 
 use bytemuck::cast_slice_mut;
 
+use super::array_tag::{ArrayKind, ArrayTag};
 use super::decode::{self, Decoder};
-use super::header::{self, ArrayKind, ArrayTag, Header, Piece};
+use super::header::{self, Header, Piece};
 use crate::dataset::{Dataset, Field, Values};
 use crate::field_data::{self, PREFIX, SideArrays};
 use crate::grid::Grid;
+use crate::notes;
 use crate::problem::Problem;
 
 /// The dataset in the bytes of a VTU file.
@@ -169,12 +171,12 @@ fn extend(field: &mut Field, more: Field) -> bool {
 /// Says which arrays were left out.
 fn note_unread(header: &Header<'_>, notes: &mut Vec<String>) {
     for array in header.field_data.iter().filter(|array| !array.name.starts_with(PREFIX)) {
-        notes.push(format!("The array `{}` of the file as a whole was left out.", array.name));
+        notes.push(notes::whole_file_array(&array.name));
     }
     let fields =
         header.pieces.first().into_iter().flat_map(|p| p.point_data.iter().chain(&p.cell_data));
     for array in fields.filter(|array| !matches!(array.kind, ArrayKind::Numbers(_))) {
-        notes.push(format!("The array `{}` holds no numbers and was left out.", array.name));
+        notes.push(notes::no_numbers(&array.name));
     }
 }
 

@@ -48,11 +48,20 @@ impl Simplex {
         self as usize + 1
     }
 
+    /// The kind of its linear cells.
+    fn linear(self) -> &'static CellKind {
+        let linear = |kind: &&CellKind| kind.simplex == Some(self) && kind.nodes == self.corners();
+        KINDS.iter().find(linear).expect("there are all linear simplices")
+    }
+
     /// VTK's number for its linear cells.
     pub(crate) fn vtk_number(self) -> u8 {
-        let linear = |kind: &&CellKind| kind.simplex == Some(self) && kind.nodes == self.corners();
-        let name = KINDS.iter().find(linear).and_then(|kind| kind.vtk);
-        name.expect("VTK has all linear simplices").number
+        self.linear().vtk.expect("VTK has all linear simplices").number
+    }
+
+    /// Medit's keyword for its linear cells; a vertex has none.
+    pub(crate) fn medit_keyword(self) -> Option<&'static str> {
+        self.linear().medit
     }
 }
 
@@ -65,6 +74,12 @@ impl CellKind {
     /// The kind of Gmsh's element type, if Gmsh documents one.
     pub(crate) fn of_gmsh(code: i32) -> Option<&'static Self> {
         KINDS.iter().find(|kind| kind.gmsh.is_some_and(|name| name.code == code))
+    }
+
+    /// The kind of Medit's keyword, in any case, and how Medit spells it.
+    pub(crate) fn of_medit(keyword: &str) -> Option<(&'static Self, &'static str)> {
+        let spelled = |kind: &'static Self| kind.medit.map(|spelled| (kind, spelled));
+        KINDS.iter().filter_map(spelled).find(|(_, spelled)| spelled.eq_ignore_ascii_case(keyword))
     }
 
     /// Nodes that are no corners, of a kind that is handled.

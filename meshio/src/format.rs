@@ -6,7 +6,7 @@ use crate::dataset::Dataset;
 use crate::error::Error;
 use crate::format_spec::FormatSpec;
 use crate::problem::Problem;
-use crate::{aside, gmsh, legacy, vtu};
+use crate::{aside, gmsh, legacy, medit, vtu};
 
 /// One of the mesh formats.
 ///
@@ -22,7 +22,8 @@ pub struct Format(&'static FormatSpec);
 
 impl Format {
     /// All formats. A new one is entered here, and nowhere else.
-    pub const ALL: &[Self] = &[Self(&gmsh::FORMAT), Self(&vtu::FORMAT), Self(&legacy::FORMAT)];
+    pub const ALL: &[Self] =
+        &[Self(&gmsh::FORMAT), Self(&vtu::FORMAT), Self(&legacy::FORMAT), Self(&medit::FORMAT)];
 
     /// What its files are called, as in "Gmsh files".
     pub fn name(self) -> &'static str {

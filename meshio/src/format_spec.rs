@@ -6,6 +6,9 @@ use crate::dataset::Dataset;
 use crate::error::Error;
 use crate::problem::Problem;
 
+/// Writes a dataset to a path.
+type WriteFile = fn(&Path, &Dataset) -> Result<(), Error>;
+
 /// A mesh format, described in one constant beside its reader and writer.
 pub struct FormatSpec {
     /// What its files are called in messages, as in "Gmsh files".
@@ -20,7 +23,7 @@ pub struct FormatSpec {
     /// The dataset in the bytes of a file.
     pub(crate) read: fn(&[u8]) -> Result<Dataset, Problem>,
     /// Writes a file, whole or not at all; `None` for a format that is only read.
-    pub(crate) write: Option<fn(&Path, &Dataset) -> Result<(), Error>>,
+    pub(crate) write: Option<WriteFile>,
     /// What a file cannot hold of a dataset, a sentence each.
     pub(crate) losses: fn(&Dataset) -> Vec<String>,
 }

@@ -20,6 +20,7 @@ pub mod format;
 pub mod format_spec;
 pub mod gmsh;
 pub mod legacy;
+pub mod medit;
 pub mod pvd;
 pub mod vtu;
 
@@ -27,6 +28,7 @@ mod cell_kind;
 mod field_data;
 mod fingerprint;
 mod grid;
+mod losses;
 mod mid_side;
 mod notes;
 mod problem;

@@ -1,5 +1,7 @@
 //! What readers remark about a file: every note of every format, a sentence each.
 
+use std::collections::BTreeSet;
+
 /// Second-order cells lost their mid-side nodes.
 pub(crate) fn mid_side_nodes(tets: usize, dropped: usize) -> String {
     format!(
@@ -39,6 +41,27 @@ pub(crate) fn missing_values(field: &str, missing: usize, count: usize, owners: 
 /// A section of a file is not understood.
 pub(crate) fn section(name: &str) -> String {
     format!("The section {name} was passed over.")
+}
+
+/// Sections of a file mean nothing here; of very many, some are named.
+pub(crate) fn sections(names: &BTreeSet<String>) -> String {
+    const NAMED: usize = 20;
+    let named: Vec<&str> = names.iter().map(String::as_str).take(NAMED).collect();
+    let more = match names.len().saturating_sub(NAMED) {
+        0 => String::new(),
+        more => format!(" and {more} more"),
+    };
+    format!("The sections {}{more} were left out.", named.join(", "))
+}
+
+/// References of vertices, which most often repeat those of what they lie on.
+pub(crate) fn vertex_references(vertices: usize) -> String {
+    format!("The references of {vertices} vertices were left out.")
+}
+
+/// A file lacks its last word.
+pub(crate) fn no_end() -> String {
+    "The file does not close with End; should parts of the mesh be missing, it was cut off.".into()
 }
 
 /// An array belongs neither to points nor to cells.

@@ -17,6 +17,7 @@ mod write;
 pub use write::write;
 
 use crate::format_spec::FormatSpec;
+use crate::losses;
 
 /// VTK's older format, `.vtk`: holds no group names, no features, and not which
 /// fields are derived.
@@ -27,5 +28,13 @@ pub const FORMAT: FormatSpec = FormatSpec {
     tells_strangers: false,
     read: read::parse,
     write: Some(write::write),
-    losses: write::losses,
+    losses: |dataset| {
+        let losses = [
+            losses::group_names("Legacy VTK", dataset),
+            losses::features("Legacy VTK", dataset),
+            losses::corner_fields("VTK", dataset),
+            losses::derived_marks("Legacy VTK", dataset),
+        ];
+        losses.into_iter().flatten().collect()
+    },
 };

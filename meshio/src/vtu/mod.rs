@@ -37,6 +37,7 @@ pub use surfaces::{surfaces_path, write_surfaces};
 pub use write::{write, write_with};
 
 use crate::format_spec::FormatSpec;
+use crate::losses;
 
 /// VTK's XML format for unstructured grids, `.vtu`: holds all of a dataset but
 /// corner fields.
@@ -47,5 +48,5 @@ pub const FORMAT: FormatSpec = FormatSpec {
     tells_strangers: false,
     read: read::parse,
     write: Some(write::write),
-    losses: |dataset| dataset.corner_losses().into_iter().collect(),
+    losses: |dataset| losses::corner_fields("VTK", dataset).into_iter().collect(),
 };

@@ -3,7 +3,7 @@
 use criterion::{Criterion, Throughput, criterion_group, criterion_main};
 use octruss_mesh::shapes;
 use octruss_meshio::vtu::{self, Compression, VtuOptions};
-use octruss_meshio::{Dataset, Field};
+use octruss_meshio::{Dataset, Field, read};
 
 fn vtu_files(criterion: &mut Criterion) {
     let mesh = shapes::kuhn_cube(32).into_raw();
@@ -26,7 +26,7 @@ fn vtu_files(criterion: &mut Criterion) {
         group.throughput(Throughput::Bytes(bytes));
         group.bench_function(format!("write {name}"), |bencher| bencher.iter(write));
         group.bench_function(format!("read {name}"), |bencher| {
-            bencher.iter(|| vtu::read(&path).expect("the file is read"));
+            bencher.iter(|| read(&path).expect("the file is read"));
         });
     }
     group.finish();

@@ -99,17 +99,6 @@ impl Field {
 }
 
 impl Dataset {
-    /// What no file of VTK's can hold, a sentence.
-    pub(crate) fn corner_losses(&self) -> Option<String> {
-        let names: Vec<&str> = self.corner_fields.iter().map(|f| f.name.as_str()).collect();
-        (!names.is_empty()).then(|| {
-            format!(
-                "VTK files hold no values at the corners of each tet: {} left out.",
-                names.join(", ")
-            )
-        })
-    }
-
     /// Whether all lists have the lengths that belong together, and names tell
     /// fields apart; writers ask before they write. The error says which do not.
     pub(crate) fn check_lengths(&self) -> Result<(), String> {

@@ -16,6 +16,7 @@ use octruss_mesh::{CellState, Features, Group, RawMesh, Tagged};
 
 use crate::dataset::{Dataset, Field};
 use crate::fingerprint::fingerprint;
+use crate::notes;
 use crate::problem::Problem;
 
 /// How our own arrays' names start.
@@ -198,21 +199,17 @@ pub(crate) fn restore(arrays: &impl SideArrays, dataset: &mut Dataset) -> Result
     mesh.groups.extend(groups(arrays)?);
     let recorded = arrays.vertices(FINGERPRINT, 1)?;
     if recorded.as_ref().is_some_and(|recorded| *recorded != fingerprint(mesh)) {
-        notes.push(CHANGED.into());
+        notes.push(notes::changed_mesh());
         return Ok(());
     }
     let marks = Marks::read(arrays)?;
     // Files of the first days have no fingerprint.
     if recorded.is_none() && !marks.fit(mesh) {
-        notes.push(CHANGED.into());
+        notes.push(notes::changed_mesh());
         return Ok(());
     }
     marks.add_to(mesh)
 }
-
-/// What the reader of a changed mesh is told.
-const CHANGED: &str = "The mesh was changed by another program: its tagged triangles, edges and \
-    vertices and its features were left out, since their vertex numbers no longer hold.";
 
 /// What a file says in vertex and tet numbers.
 struct Marks {

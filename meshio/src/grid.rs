@@ -2,8 +2,10 @@
 
 use bytemuck::allocation::try_cast_vec;
 
+use crate::cell_kind::{CellKind, Simplex};
 use crate::dataset::{Dataset, Field, Values};
-use crate::mid_side;
+use crate::mid_side::MidSide;
+use crate::notes;
 use crate::problem::Problem;
 use octruss_mesh::RawMesh;
 
@@ -30,33 +32,6 @@ pub(crate) struct Grid {
     pub(crate) notes: Vec<String>,
 }
 
-/// A cell type that becomes part of a mesh.
-struct CellType {
-    number: u8,
-    corners: usize,
-    nodes: usize,
-}
-
-/// Linear simplices, and quadratic ones whose corners come first.
-const SIMPLICES: [CellType; 7] = [
-    CellType { number: 1, corners: 1, nodes: 1 },
-    CellType { number: 3, corners: 2, nodes: 2 },
-    CellType { number: 5, corners: 3, nodes: 3 },
-    CellType { number: 10, corners: 4, nodes: 4 },
-    CellType { number: 21, corners: 2, nodes: 3 },
-    CellType { number: 22, corners: 3, nodes: 6 },
-    CellType { number: 24, corners: 4, nodes: 10 },
-];
-
-/// VTK's number for tets.
-pub(crate) const TET: u8 = 10;
-
-impl CellType {
-    fn numbered(number: u8) -> Option<&'static Self> {
-        SIMPLICES.iter().find(|known| known.number == number)
-    }
-}
-
 impl Grid {
     /// The dataset that the grid means: tets are cells, simplices of lower
     /// dimension are tagged by the same array as the tets.
@@ -65,13 +40,14 @@ impl Grid {
         self.check_ends()?;
         let tags = self.take_tags()?;
         let mut dataset = Dataset::default();
-        let mut mid_side_nodes = Vec::new();
-        if self.types.iter().all(|&number| number == TET) {
+        let mut mid_side = MidSide::default();
+        let tet = Simplex::Tet.vtk_number();
+        if self.types.iter().all(|&number| number == tet) {
             dataset.mesh.tets = quadruples(std::mem::take(&mut self.connectivity));
             dataset.mesh.regions = tags;
             dataset.cell_fields = self.cell_fields;
         } else {
-            let tets = self.sort_cells(&tags, &mut dataset.mesh, &mut mid_side_nodes);
+            let tets = self.sort_cells(&tags, &mut dataset.mesh, &mut mid_side);
             let subset = |field: &Field| field.subset(tets.iter().copied());
             dataset.cell_fields = self.cell_fields.iter().map(subset).collect();
             self.note_untagged(&tags);
@@ -79,12 +55,7 @@ impl Grid {
         dataset.mesh.points = self.points;
         dataset.point_fields = self.point_fields;
         dataset.notes = self.notes;
-        if !mid_side_nodes.is_empty() {
-            let dropped = mid_side::drop_nodes(&mut dataset, &mid_side_nodes);
-            dataset.notes.push(format!(
-                "Second-order cells were read as linear ones; {dropped} mid-side nodes were dropped."
-            ));
-        }
+        mid_side.drop_from(&mut dataset);
         Ok(dataset)
     }
 
@@ -94,10 +65,8 @@ impl Grid {
             counts[usize::from(number)] += 1;
         }
         let foreign: Vec<String> = (0..=u8::MAX)
-            .filter(|&number| {
-                counts[usize::from(number)] > 0 && CellType::numbered(number).is_none()
-            })
-            .map(|number| format!("{} {}", counts[usize::from(number)], type_name(number)))
+            .filter(|&number| counts[usize::from(number)] > 0 && handled(number).is_none())
+            .map(|number| format!("{} {}", counts[usize::from(number)], CellKind::vtk_name(number)))
             .collect();
         if foreign.is_empty() {
             return Ok(());
@@ -116,13 +85,13 @@ impl Grid {
         }
         let mut start = 0;
         for (cell, (&end, &number)) in self.ends.iter().zip(&self.types).enumerate() {
-            let nodes = CellType::numbered(number).map_or(0, |kind| kind.nodes as u64);
+            let nodes = CellKind::of_vtk(number).map_or(0, |kind| kind.nodes as u64);
             if end.checked_sub(start) != Some(nodes) {
                 return Err(Problem::part(
                     "array `offsets`",
                     format!(
                         "cell {cell} reaches from {start} to {end}, but {} has {nodes} vertices",
-                        type_name(number)
+                        CellKind::vtk_name(number)
                     ),
                 ));
             }
@@ -159,31 +128,26 @@ impl Grid {
         Ok(vec![0; self.types.len()])
     }
 
-    /// Puts every cell where it belongs; returns which cells are tets, and adds
-    /// the nodes of quadratic cells that are no corners to `mid_side_nodes`.
-    fn sort_cells(
-        &self,
-        tags: &[i32],
-        mesh: &mut RawMesh,
-        mid_side_nodes: &mut Vec<u32>,
-    ) -> Vec<usize> {
+    /// Puts every cell where it belongs; returns which cells are tets, and collects
+    /// what quadratic cells have besides their corners.
+    fn sort_cells(&self, tags: &[i32], mesh: &mut RawMesh, mid_side: &mut MidSide) -> Vec<usize> {
         let mut tets = Vec::new();
         let mut start = 0;
         for (cell, &number) in self.types.iter().enumerate() {
-            let Some(kind) = CellType::numbered(number) else { continue };
+            let Some((kind, simplex)) = handled(number) else { continue };
             let nodes = &self.connectivity[start..start + kind.nodes];
             start += kind.nodes;
-            mid_side_nodes.extend_from_slice(&nodes[kind.corners..]);
-            match (nodes, tags[cell]) {
-                _ if kind.corners == 4 => {
+            mid_side.collect(kind, nodes);
+            match (simplex, nodes, tags[cell]) {
+                (Simplex::Tet, &[a, b, c, d, ..], region) => {
                     tets.push(cell);
-                    mesh.tets.push([nodes[0], nodes[1], nodes[2], nodes[3]]);
-                    mesh.regions.push(tags[cell]);
+                    mesh.tets.push([a, b, c, d]);
+                    mesh.regions.push(region);
                 }
-                (_, 0) => {}
-                ([a], tag) => mesh.vertices.push([*a], tag),
-                ([a, b, ..], tag) if kind.corners == 2 => mesh.edges.push([*a, *b], tag),
-                ([a, b, c, ..], tag) => mesh.triangles.push([*a, *b, *c], tag),
+                (_, _, 0) => {}
+                (Simplex::Triangle, &[a, b, c, ..], tag) => mesh.triangles.push([a, b, c], tag),
+                (Simplex::Edge, &[a, b, ..], tag) => mesh.edges.push([a, b], tag),
+                (Simplex::Vertex, &[a, ..], tag) => mesh.vertices.push([a], tag),
                 _ => {}
             }
         }
@@ -191,15 +155,19 @@ impl Grid {
     }
 
     fn note_untagged(&mut self, tags: &[i32]) {
-        let is_tet = |number| CellType::numbered(number).is_some_and(|kind| kind.corners == 4);
+        let is_tet = |number| handled(number).is_some_and(|(_, simplex)| simplex == Simplex::Tet);
         let cells = self.types.iter().zip(tags);
         let untagged = cells.filter(|&(&number, &tag)| tag == 0 && !is_tet(number)).count();
         if untagged > 0 {
-            self.notes.push(format!(
-                "{untagged} triangles, lines or vertices without a tag were left out."
-            ));
+            self.notes.push(notes::untagged(untagged));
         }
     }
+}
+
+/// The kind of a cell that becomes part of a mesh, and what it is there.
+fn handled(number: u8) -> Option<(&'static CellKind, Simplex)> {
+    let kind = CellKind::of_vtk(number)?;
+    Some((kind, kind.simplex?))
 }
 
 /// Vertex numbers four by four; in place where the allocation allows it.
@@ -207,36 +175,4 @@ fn quadruples(connectivity: Vec<u32>) -> Vec<[u32; 4]> {
     try_cast_vec(connectivity).unwrap_or_else(|(_, connectivity)| {
         connectivity.chunks_exact(4).map(|v| [v[0], v[1], v[2], v[3]]).collect()
     })
-}
-
-/// What VTK calls its cell types, for messages.
-fn type_name(number: u8) -> String {
-    let name = match number {
-        0 => "empty cell",
-        1 => "vertex",
-        2 => "poly-vertex",
-        3 => "line",
-        4 => "poly-line",
-        5 => "triangle",
-        6 => "triangle strip",
-        7 => "polygon",
-        8 => "pixel",
-        9 => "quadrilateral",
-        10 => "tetrahedron",
-        11 => "voxel",
-        12 => "hexahedron",
-        13 => "wedge",
-        14 => "pyramid",
-        21 => "quadratic line",
-        22 => "quadratic triangle",
-        23 => "quadratic quadrilateral",
-        24 => "quadratic tetrahedron",
-        25 => "quadratic hexahedron",
-        26 => "quadratic wedge",
-        27 => "quadratic pyramid",
-        41 => "convex point set",
-        42 => "polyhedron",
-        _ => return format!("cell of VTK type {number}"),
-    };
-    format!("{name} (VTK type {number})")
 }

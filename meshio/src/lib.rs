@@ -17,18 +17,25 @@ pub mod aside;
 pub mod dataset;
 pub mod error;
 pub mod format;
+pub mod format_spec;
 pub mod gmsh;
 pub mod legacy;
+pub mod medit;
 pub mod pvd;
 pub mod vtu;
 
+mod cell_kind;
 mod field_data;
 mod fingerprint;
 mod grid;
+mod losses;
 mod mid_side;
+mod notes;
 mod problem;
+mod text;
 
 pub use aside::write_aside;
 pub use dataset::{Dataset, Field, Values};
 pub use error::{Error, Place};
-pub use format::{Format, check_target, read, write};
+pub use format::{Format, check_target, parse, read, write};
+pub use format_spec::FormatSpec;

@@ -2,12 +2,41 @@
 
 use octruss_mesh::RawMesh;
 
-use crate::{Dataset, Values};
+use crate::cell_kind::{CellKind, Simplex};
+use crate::dataset::{Dataset, Values};
+use crate::notes;
+
+/// What a reader comes across in second-order cells.
+#[derive(Debug, Default)]
+pub(crate) struct MidSide {
+    /// Nodes that are no corners of their cell, with repetitions.
+    nodes: Vec<u32>,
+    /// How many tets had such nodes.
+    tets: usize,
+}
+
+impl MidSide {
+    /// Takes in what one cell has besides its corners, if anything.
+    pub(crate) fn collect(&mut self, kind: &CellKind, nodes: &[u32]) {
+        let mid_side = kind.mid_side(nodes);
+        self.nodes.extend_from_slice(mid_side);
+        self.tets += usize::from(kind.simplex == Some(Simplex::Tet) && !mid_side.is_empty());
+    }
+
+    /// Removes the nodes that are no corner of any simplex, with a note, if there
+    /// were second-order cells at all.
+    pub(crate) fn drop_from(self, dataset: &mut Dataset) {
+        if !self.nodes.is_empty() {
+            let dropped = drop_nodes(dataset, &self.nodes);
+            dataset.notes.push(notes::mid_side_nodes(self.tets, dropped));
+        }
+    }
+}
 
 /// Removes those of the `mid_side` nodes that are no corner of any simplex, and
 /// their values; returns how many. The others keep their order. Numbers beyond
 /// the points are left as they are, still beyond.
-pub(crate) fn drop_nodes(dataset: &mut Dataset, mid_side: &[u32]) -> usize {
+fn drop_nodes(dataset: &mut Dataset, mid_side: &[u32]) -> usize {
     let mesh = &mut dataset.mesh;
     let mut keep = vec![true; mesh.points.len()];
     mark(&mut keep, mid_side, false);

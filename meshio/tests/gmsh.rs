@@ -4,7 +4,7 @@
 use std::path::PathBuf;
 
 use octruss_mesh::{Group, RawMesh, Tagged};
-use octruss_meshio::{Dataset, Field, Values, gmsh};
+use octruss_meshio::{Dataset, Field, Values};
 
 const BLOCKS: [&str; 4] = [
     "blocks-4.1-ascii.msh",
@@ -15,7 +15,7 @@ const BLOCKS: [&str; 4] = [
 
 fn read(name: &str) -> Dataset {
     let folder = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("tests/data/gmsh");
-    gmsh::read(&folder.join(name)).unwrap_or_else(|error| panic!("{error}"))
+    octruss_meshio::read(&folder.join(name)).unwrap_or_else(|error| panic!("{error}"))
 }
 
 /// How many simplices each id has, by ascending id.
@@ -149,8 +149,8 @@ fn second_order_tets_are_read_as_linear_ones() {
         assert_eq!(tally(&mesh.triangles.tags), surfaces, "{name}");
         assert_eq!(tally(&mesh.edges.tags), [(7, 2)], "{name}");
         assert_block_volumes(&mesh);
-        let note = "second-order elements, 170 tets among them, were read as linear ones; \
-                    292 mid-side nodes were dropped";
+        let note = "Second-order cells, 170 tets among them, were read as linear ones; \
+                    292 mid-side nodes were dropped.";
         assert!(notes.iter().any(|line| line == note), "{notes:?}");
     }
 }
@@ -189,7 +189,7 @@ fn node_and_element_data_become_fields() {
         assert!(values.len() == 12 && values[9..].iter().all(|value| value.is_nan()), "{name}");
         assert_eq!(
             notes,
-            ["the field \"heat flux\" has no value for 1 of 4 tets; it is NaN there"],
+            ["The field \"heat flux\" has no value for 1 of 4 tets; it is NaN there."],
             "{name}"
         );
     }

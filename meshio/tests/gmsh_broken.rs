@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use octruss_meshio::gmsh;
+use octruss_meshio::parse;
 
 const TET_22: &str = "\
 $MeshFormat
@@ -132,7 +132,7 @@ fn assert_refused(rows: &[Broken]) {
 
 /// What is wrong with the refusal of a file, if anything.
 fn complaint(Broken { name, bytes, expected }: &Broken) -> Option<String> {
-    let error = match gmsh::parse(Path::new("folder/broken.msh"), bytes) {
+    let error = match parse(Path::new("folder/broken.msh"), bytes) {
         Ok(_) => return Some(format!("{name}: was read without an error")),
         Err(error) => error.to_string(),
     };
@@ -148,7 +148,7 @@ fn complaint(Broken { name, bytes, expected }: &Broken) -> Option<String> {
 #[test]
 fn the_valid_files_are_read() {
     for valid in [TET_22.as_bytes(), TET_41.as_bytes(), BINARY_22, BINARY_41] {
-        gmsh::parse("valid.msh".as_ref(), valid).unwrap_or_else(|error| panic!("{error}"));
+        parse("valid.msh".as_ref(), valid).unwrap_or_else(|error| panic!("{error}"));
     }
 }
 
@@ -499,6 +499,6 @@ fn binary_files() {
 
 #[test]
 fn a_file_that_does_not_exist_is_named() {
-    let error = gmsh::read("no/such/file.msh".as_ref()).unwrap_err().to_string();
+    let error = octruss_meshio::read("no/such/file.msh".as_ref()).unwrap_err().to_string();
     assert!(error.contains("no/such/file.msh"), "{error}");
 }

@@ -1,9 +1,9 @@
 //! Details of the format, on meshes small enough to be written out here.
 
-use octruss_meshio::{Dataset, Field, Values, gmsh};
+use octruss_meshio::{Dataset, Field, Values, parse};
 
 fn read(bytes: &[u8]) -> Dataset {
-    gmsh::parse("small.msh".as_ref(), bytes).unwrap_or_else(|error| panic!("{error}"))
+    parse("small.msh".as_ref(), bytes).unwrap_or_else(|error| panic!("{error}"))
 }
 
 /// A 2.2 file with five nodes and these lines of elements.
@@ -129,7 +129,7 @@ fn comments_hold_anything_and_unknown_sections_are_noted() {
     let file = format!("{comment}{file}{comment}{unknown}\n");
     let Dataset { mesh, notes, .. } = read(file.as_bytes());
     assert_eq!((mesh.points.len(), mesh.tets.len()), (5, 1));
-    assert_eq!(notes, ["the section $Custom was passed over"]);
+    assert_eq!(notes, ["The section $Custom was passed over."]);
 }
 
 #[test]
@@ -165,10 +165,10 @@ fn element_node_data_become_fields_at_corners() {
     let Values::Float(values) = &q.values else { panic!("floating-point values") };
     assert_eq!(values[..12], [1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0, 9.0, 10.0, 11.0, 12.0]);
     assert!(values.len() == 24 && values[12..].iter().all(|value| value.is_nan()));
-    assert_eq!(notes, ["the field \"q\" has no value for 1 of 2 tets; it is NaN there"]);
+    assert_eq!(notes, ["The field \"q\" has no value for 1 of 2 tets; it is NaN there."]);
 
     let few = data.replace("9 4 5 6 7 8", "9 3 5 6 7");
-    let refused = gmsh::parse("small.msh".as_ref(), format!("{mesh}{few}").as_bytes());
+    let refused = parse("small.msh".as_ref(), format!("{mesh}{few}").as_bytes());
     let error = refused.unwrap_err().to_string();
     // 17 lines of mesh, 9 before the values, and that of the triangle.
     assert!(error.contains(":28: values at 3 nodes of a tet; expected at least its 4"), "{error}");

@@ -1,6 +1,6 @@
 //! Damaged files of every flavour: reading returns, with a dataset or an error.
 
-use octruss_meshio::{Values, gmsh};
+use octruss_meshio::{Values, parse};
 use proptest::prelude::*;
 
 const VALID: [&[u8]; 8] = [
@@ -16,7 +16,7 @@ const VALID: [&[u8]; 8] = [
 
 /// Reads the bytes; what comes back can be no larger than the bytes account for.
 fn read(bytes: &[u8]) {
-    let Ok(dataset) = gmsh::parse("damaged.msh".as_ref(), bytes) else { return };
+    let Ok(dataset) = parse("damaged.msh".as_ref(), bytes) else { return };
     let mesh = &dataset.mesh;
     assert_eq!(mesh.tets.len(), mesh.regions.len());
     assert!(mesh.points.len() <= bytes.len() && mesh.tets.len() <= bytes.len());

@@ -1,8 +1,8 @@
 //! VTK and meshio read what we write, and we read what they write, exactly.
 //!
 //! Both come from PyPI into an environment of their own under the target
-//! folder, once; without Python or a network these tests say so on the terminal,
-//! past the capture of the test harness, and pass.
+//! folder, once. Without Python or a network these tests say so on the terminal,
+//! past the capture of the test harness, and pass; where `CI` is `true`, they fail.
 
 use std::io::Write as _;
 use std::path::{Path, PathBuf};
@@ -11,7 +11,7 @@ use std::sync::OnceLock;
 
 use octruss_mesh::{Features, Group, RawMesh, shapes};
 use octruss_meshio::vtu::{Compression, VtuOptions};
-use octruss_meshio::{Dataset, Field, Values, legacy, read, vtu};
+use octruss_meshio::{Dataset, Field, Values, legacy, medit, read, vtu};
 
 /// The Python that has VTK and meshio; the error says why there is none.
 fn python() -> Result<&'static Path, &'static str> {
@@ -44,6 +44,9 @@ fn script(task: &str, file: &Path, target: &Path) -> bool {
             let script = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/interop_vtk.py");
             run(Command::new(python).arg(script).arg(task).arg(file).arg(target)).unwrap();
             true
+        }
+        Err(reason) if std::env::var("CI").is_ok_and(|value| value == "true") => {
+            panic!("comparing with VTK and meshio needs Python and PyPI: {reason}")
         }
         Err(reason) => {
             // Not eprintln!, which the test harness hides where tests pass.
@@ -251,12 +254,33 @@ fn vtk_reads_our_legacy_files() {
 }
 
 #[test]
+fn meshio_reads_our_medit_files() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("cube.mesh");
+    let dataset = rich_dataset(3, 7.0);
+    medit::write(&path, &dataset).unwrap();
+    let mesh = &dataset.mesh;
+    let references = |values: &[i32]| line("cell", "medit:ref", 1, &wholes(values));
+    let expected = vec![
+        line("mesh", "points", 3, &Values::Float(mesh.points.as_flattened().to_vec())),
+        line("point", "medit:ref", 1, &wholes(&vec![0; mesh.points.len()])),
+        line("mesh", "tetra", 4, &wholes(mesh.tets.as_flattened())),
+        references(&mesh.regions),
+        line("mesh", "triangle", 3, &wholes(mesh.triangles.simplices.as_flattened())),
+        references(&mesh.triangles.tags),
+        line("mesh", "line", 2, &wholes(mesh.edges.simplices.as_flattened())),
+        references(&mesh.edges.tags),
+    ];
+    assert_dump("dump-meshio", &path, expected);
+}
+
+#[test]
 fn we_read_what_vtk_and_meshio_write() {
     // meshio, and VTK in legacy files, round in ASCII; both hold eighths exactly.
     let exact =
         |name: &str| !["ascii.vtk", "meshio-ascii.vtu"].iter().any(|end| name.ends_with(end));
-    assert_theirs(&rich_dataset(3, 7.0), exact, 32 + 2 + 2);
-    assert_theirs(&rich_dataset(4, 8.0), |_| true, 32 + 4 + 3);
+    assert_theirs(&rich_dataset(3, 7.0), exact, 32 + 2 + 3);
+    assert_theirs(&rich_dataset(4, 8.0), |_| true, 32 + 4 + 4);
 }
 
 #[test]
@@ -279,7 +303,8 @@ fn tags_are_left_out_after_a_filter_of_vtk() {
 
 /// Compares what we read from the files that VTK and meshio make of a dataset:
 /// four modes, two compressors, two header types and two byte orders of VTU;
-/// two versions and two modes of legacy files; three of meshio.
+/// two versions and two modes of legacy files; four of meshio, a Medit file among
+/// them.
 fn assert_theirs(dataset: &Dataset, compared: fn(&str) -> bool, expected_count: usize) {
     let folder = tempfile::tempdir().unwrap();
     let ours = folder.path().join("ours.vtu");
@@ -301,6 +326,10 @@ fn assert_theirs(dataset: &Dataset, compared: fn(&str) -> bool, expected_count: 
             let mut found = read(&path).unwrap();
             let whole = name.starts_with("vtk-") && name.ends_with(".vtu");
             let mut expected = if whole { dataset.clone() } else { bare.clone() };
+            if name.ends_with(".mesh") {
+                expected.point_fields.clear();
+                expected.cell_fields.clear();
+            }
             sort_fields(&mut found);
             sort_fields(&mut expected);
             assert!(found == expected, "{name} differs");

@@ -109,6 +109,11 @@ def convert(path, folder):
     mesh.write(f"{folder}/meshio-zlib.vtu")
     mesh.write(f"{folder}/meshio-none.vtu", compression=None)
     mesh.write(f"{folder}/meshio-ascii.vtu", binary=False)
+    # meshio gives vertices without a reference the reference 1.
+    none = numpy.zeros(len(mesh.points), dtype=int)
+    regions = [block.ravel() for block in mesh.cell_data["region"]]
+    bare = meshio.Mesh(mesh.points, mesh.cells, {"medit:ref": none}, {"medit:ref": regions})
+    bare.write(f"{folder}/meshio.mesh")
 
 
 def threshold(path, target):

@@ -2,9 +2,11 @@
 
 use std::path::Path;
 
-use octruss_mesh::{CellState, Features, Group, Level, RawMesh, shapes};
+use octruss_mesh::{CellState, Features, Group, Level, RawMesh, Tagged, shapes};
 use octruss_meshio::vtu::{Compression, VtuOptions};
-use octruss_meshio::{Dataset, Error, Field, Format, Values, legacy, vtu, write_aside};
+use octruss_meshio::{
+    Dataset, Error, Field, Format, Values, legacy, medit, read, vtu, write_aside,
+};
 
 /// A way to write a dataset, and what its format cannot hold.
 struct Way {
@@ -19,13 +21,16 @@ enum Keeps {
     Everything,
     /// All but group names, features and which fields are derived.
     Tags,
+    /// Points, tets, regions, tagged triangles and edges.
+    Simplices,
 }
 
-const WAYS: [Way; 4] = [
+const WAYS: [Way; 5] = [
     Way { name: "vtu", extension: "vtu", write: vtu::write, keeps: Keeps::Everything },
     Way { name: "vtu zlib 1", extension: "vtu", write: zlib::<1>, keeps: Keeps::Everything },
     Way { name: "vtu zlib 9", extension: "vtu", write: zlib::<9>, keeps: Keeps::Everything },
     Way { name: "legacy", extension: "vtk", write: legacy::write, keeps: Keeps::Tags },
+    Way { name: "Medit", extension: "mesh", write: medit::write, keeps: Keeps::Simplices },
 ];
 
 fn zlib<const LEVEL: u32>(path: &Path, dataset: &Dataset) -> Result<(), Error> {
@@ -42,13 +47,18 @@ fn assert_round_trips(dataset: &Dataset) {
         assert_eq!(*dataset, before, "{}: writing changed its input", way.name);
         let mut expected = dataset.clone();
         expected.notes.clear();
-        if way.keeps == Keeps::Tags {
+        if way.keeps == Keeps::Simplices {
+            expected.mesh.vertices = Tagged::default();
+            expected.point_fields.clear();
+            expected.cell_fields.clear();
+        }
+        if way.keeps != Keeps::Everything {
             expected.mesh.groups.clear();
             expected.mesh.features = None;
             let fields = expected.point_fields.iter_mut().chain(&mut expected.cell_fields);
             fields.for_each(|field| field.derived = false);
         }
-        let found = octruss_meshio::read(&path).unwrap();
+        let found = read(&path).unwrap();
         assert_eq!(found, expected, "{}", way.name);
         let files = std::fs::read_dir(folder.path()).unwrap().count();
         std::fs::remove_file(&path).unwrap();
@@ -193,19 +203,32 @@ fn vertex_numbers_beyond_the_points_come_back() {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("wide.vtu");
     vtu::write(&path, &dataset).unwrap();
-    assert_eq!(vtu::read(&path).unwrap(), dataset);
+    assert_eq!(read(&path).unwrap(), dataset);
     let refused = legacy::write(&folder.path().join("wide.vtk"), &dataset).unwrap_err();
     assert!(refused.to_string().contains("32 bits"), "{refused}");
+    let refused = medit::write(&folder.path().join("wide.mesh"), &dataset).unwrap_err();
+    assert!(refused.to_string().contains("a tet has the vertex 0, but there are 0"), "{refused}");
 }
 
 #[test]
 fn a_format_says_what_it_loses() {
     let mut dataset = tagged_cube();
     dataset.mesh.features = Some(Features::default());
-    assert!(Format::Vtu.losses(&dataset).is_empty());
-    let losses = Format::LegacyVtk.losses(&dataset);
-    assert_eq!(losses.len(), 2);
-    assert!(losses[0].contains("group names") && losses[1].contains("features"));
+    dataset.point_fields = vec![Field::scalar("height", vec![0.0; 30])];
+    let losses = |name: &str| Format::of(name.as_ref()).unwrap().losses(&dataset);
+    assert!(losses("a.vtu").is_empty());
+    let legacy = losses("a.vtk");
+    assert_eq!(legacy.len(), 2);
+    assert!(legacy[0].contains("group names") && legacy[1].contains("features"));
+    assert_eq!(
+        losses("a.mesh"),
+        [
+            "Medit files hold no group names; groups keep their ids only.",
+            "Medit files hold no groups of points: 2 tagged vertices left out.",
+            "Medit files hold no features; they will be found anew.",
+            "Medit files hold no fields: height left out.",
+        ]
+    );
 }
 
 #[test]
@@ -227,17 +250,20 @@ fn contradictions_are_refused_and_nothing_is_written() {
         (with(|d| d.mesh.regions.truncate(3)), "3 regions for the tets, which are 48"),
         (with(|d| d.mesh.edges.tags.clear()), "0 tags for the edges, which are 2"),
         (with(|d| d.point_fields = vec![Field::scalar("u", vec![1.0])]), "`u` has 1 values, not 1"),
-        (named("region"), "called `region`"),
         (
             with(|d| d.cell_fields = vec![Field::scalar("u", vec![0.0; 48]); 2]),
             "called `u`; rename",
         ),
     ] {
-        for extension in ["vtu", "vtk"] {
+        for extension in ["vtu", "vtk", "mesh"] {
             let path = folder.path().join("refused").with_extension(extension);
             let message = octruss_meshio::write(&path, &dataset).unwrap_err().to_string();
             assert!(message.contains(expected), "{extension}: {message}");
         }
+    }
+    for path in [folder.path().join("a.vtu"), folder.path().join("a.vtk")] {
+        let message = octruss_meshio::write(&path, &named("region")).unwrap_err().to_string();
+        assert!(message.contains("called `region`"), "{message}");
     }
     let message = vtu::write(&folder.path().join("a.vtu"), &named("a\u{1}")).unwrap_err();
     assert!(message.to_string().contains("control character"), "{message}");
@@ -303,7 +329,7 @@ fn surfaces_go_beside_the_mesh_with_the_points_they_use() {
     // The cube's 27 vertices without the one inside, and three free ones; 48
     // triangles of the cube and two free ones.
     assert!(text.contains("<Piece NumberOfPoints=\"29\" NumberOfCells=\"50\">"), "{text}");
-    let found = vtu::read(&path).unwrap();
+    let found = read(&path).unwrap();
     assert_eq!(found.point_fields, [Field::scalar("x", x(&found))]);
     assert_eq!(found.mesh.group_names(2), ["x0", "x1", "y0", "y1", "z0", "z1"]);
 }
@@ -318,7 +344,7 @@ fn features_become_vertices_and_lines_with_their_reasons() {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("features.vtu");
     vtu::write_features(&path, mesh, &reasons).unwrap();
-    let found = vtu::read(&path).unwrap();
+    let found = read(&path).unwrap();
     // The 8 corners and 12 edges of the cube, two mesh edges each; cells without
     // tags are no part of a mesh.
     assert_eq!(found.mesh.points.len(), 20);
@@ -328,7 +354,7 @@ fn features_become_vertices_and_lines_with_their_reasons() {
     assert_eq!(found.mesh.group_names(1), ["group-border"]);
 
     vtu::write_features(&path, mesh, &FeatureReasons::default()).unwrap();
-    let empty = vtu::read(&path).unwrap();
+    let empty = read(&path).unwrap();
     assert_eq!((empty.mesh, empty.notes), (RawMesh::default(), vec![]));
     // Those of a larger mesh.
     let refused = vtu::write_features(&path, &shapes::regular_tet(), &reasons).unwrap_err();

@@ -137,6 +137,7 @@ fn broken_files_give_one_clear_message() {
         ("Gmsh inside", "vtu", b"$MeshFormat\n4.1 0 8\n".to_vec(), &["content is that of a .msh file"]),
         ("Gmsh inside", "vtk", b"$MeshFormat\n4.1 0 8\n".to_vec(), &["content is that of a .msh file"]),
         ("legacy inside", "vtu", LEGACY.into(), &["content is that of a .vtk file"]),
+        ("Medit inside", "vtu", b"MeshVersionFormatted 2\n".to_vec(), &["content is that of a .mesh file"]),
         ("VTU inside", "vtk", ASCII.into(), &["content is that of a .vtu file"]),
         ("PVD inside", "vtu", ascii("\"UnstructuredGrid\"", "\"Collection\""), &["holds Collection", "only UnstructuredGrid"]),
         ("other XML", "vtu", b"<svg></svg>".to_vec(), &[":1", "<svg>", "no VTU file"]),
@@ -213,12 +214,18 @@ fn broken_files_give_one_clear_message() {
 
 #[test]
 fn other_extensions_are_refused_with_a_list() {
-    for path in ["part.stl", "part"] {
+    for path in ["part.stl", "part", "part.meshb"] {
         let message = read(Path::new(path)).unwrap_err().to_string();
-        assert!(message.contains(".msh, .vtu, .vtk can be read, .vtu, .vtk written"), "{message}");
+        assert!(
+            message.contains(".msh, .vtu, .vtk, .mesh can be read, .vtu, .vtk, .mesh written"),
+            "{message}"
+        );
     }
     let refused = octruss_meshio::write(Path::new("part.msh"), &Dataset::default()).unwrap_err();
-    assert!(refused.to_string().contains("read, not written; .vtu, .vtk can be"), "{refused}");
+    assert!(
+        refused.to_string().contains("Gmsh files are read, not written; .vtu, .vtk, .mesh can be"),
+        "{refused}"
+    );
 }
 
 #[test]

@@ -71,7 +71,7 @@ pub fn create_folder(folder: &Path) -> Result<(), Error> {
 pub fn write_with_surfaces(path: &Path, dataset: &Dataset) -> Result<Vec<PathBuf>, Error> {
     octruss_meshio::write(path, dataset)?;
     let mut files = vec![path.to_path_buf()];
-    if Format::of(path)? == Format::Vtu && !dataset.mesh.triangles.is_empty() {
+    if Format::of(path)? == vtu::FORMAT && !dataset.mesh.triangles.is_empty() {
         let beside = vtu::surfaces_path(path);
         vtu::write_surfaces(&beside, dataset)?;
         files.push(beside);

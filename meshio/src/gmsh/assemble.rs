@@ -5,7 +5,8 @@ use octruss_mesh::{Group, RawMesh};
 use super::data::FieldStep;
 use super::elements::Elements;
 use super::nodes::Nodes;
-use crate::{Dataset, Field, mid_side};
+use crate::dataset::{Dataset, Field};
+use crate::notes;
 
 /// What the sections of a file say.
 #[derive(Default)]
@@ -29,7 +30,6 @@ pub fn dataset(nodes: Nodes, elements: Elements, sections: Sections) -> Dataset 
     let point_fields = fields(sections.point_data, "nodes", &mut notes);
     let cell_fields = fields(sections.cell_data, "tets", &mut notes);
     let corner_fields = fields(sections.corner_data, "tets", &mut notes);
-    let (second_order_tets, mid_side) = (elements.second_order_tets, elements.mid_side);
     let mesh = RawMesh {
         points: nodes.points,
         tets: elements.tets,
@@ -41,34 +41,21 @@ pub fn dataset(nodes: Nodes, elements: Elements, sections: Sections) -> Dataset 
         features: None,
     };
     let mut dataset = Dataset { mesh, point_fields, cell_fields, corner_fields, notes };
-    if !mid_side.is_empty() {
-        let dropped = mid_side::drop_nodes(&mut dataset, &mid_side);
-        dataset.notes.push(format!(
-            "second-order elements, {second_order_tets} tets among them, were read as linear \
-             ones; {dropped} mid-side nodes were dropped"
-        ));
-    }
+    elements.mid_side.drop_from(&mut dataset);
     dataset
 }
 
 fn note_groups(elements: &Elements, groups: &[Group], notes: &mut Vec<String>) {
     let several = elements.tets_in_several_groups;
     if several > 0 {
-        notes.push(format!(
-            "{several} tets are in several volume groups; the first one is their region, \
-             and a tet that the file lists once for each was read once"
-        ));
+        notes.push(notes::several_regions(several));
     }
     let grouped = elements.regions.iter().any(|&region| region != 0)
         || !elements.triangles.is_empty()
         || !elements.edges.is_empty()
         || !elements.vertices.is_empty();
     if !groups.is_empty() && !grouped {
-        notes.push(format!(
-            "the file names {} groups, but no element is in one; in MSH 2.2 Gmsh leaves the \
-             groups of elements out if the option Mesh.SaveAll is 1",
-            groups.len()
-        ));
+        notes.push(notes::unused_groups(groups.len()));
     }
 }
 
@@ -84,10 +71,7 @@ fn fields(data: Vec<FieldStep>, owners: &str, notes: &mut Vec<String>) -> Vec<Fi
             field.name.push('\'');
         }
         if missing > 0 {
-            notes.push(format!(
-                "the field \"{}\" has no value for {missing} of {count} {owners}; it is NaN there",
-                field.name
-            ));
+            notes.push(notes::missing_values(&field.name, missing, count, owners));
         }
         fields.push(field);
     }

@@ -1,9 +1,11 @@
 //! `$NodeData`, `$ElementData` and `$ElementNodeData`: a field of one time step.
 
 use super::nodes::Nodes;
-use super::scanner::{Scanner, quoted};
+use super::scanner::Scanner;
 use super::tags::TagMap;
-use crate::{Error, Field, Values};
+use crate::dataset::{Field, Values};
+use crate::problem::Problem;
+use crate::text::quoted;
 
 /// What the values belong to.
 pub enum Target<'a> {
@@ -37,7 +39,7 @@ struct DataHeader {
 }
 
 /// Reads the section; `None` if it has no value for any node or tet.
-pub fn read(scanner: &mut Scanner, target: &Target) -> Result<Option<FieldStep>, Error> {
+pub fn read(scanner: &mut Scanner, target: &Target) -> Result<Option<FieldStep>, Problem> {
     let header = header(scanner)?;
     let (owners, tuples) = match target {
         Target::Nodes(nodes) => (nodes.points.len(), 1),
@@ -83,7 +85,7 @@ fn tuples_listed(
     scanner: &mut Scanner,
     target: &Target,
     index: Option<usize>,
-) -> Result<u64, Error> {
+) -> Result<u64, Problem> {
     let Target::Corners(..) = target else { return Ok(1) };
     let place = scanner.position();
     let nodes = scanner.tag("the number of nodes of an element")?;
@@ -96,7 +98,7 @@ fn tuples_listed(
     Ok(nodes)
 }
 
-fn index(scanner: &mut Scanner, target: &Target) -> Result<Option<usize>, Error> {
+fn index(scanner: &mut Scanner, target: &Target) -> Result<Option<usize>, Problem> {
     let place = scanner.position();
     let tag = scanner.tag("the tag that a value belongs to")?;
     Ok(match target {
@@ -109,7 +111,7 @@ fn index(scanner: &mut Scanner, target: &Target) -> Result<Option<usize>, Error>
 
 /// Reads the three lists of tags, text in binary files, too: strings (the
 /// field's name), real numbers (the time) and integers (step, components, entries).
-fn header(scanner: &mut Scanner) -> Result<DataHeader, Error> {
+fn header(scanner: &mut Scanner) -> Result<DataHeader, Problem> {
     let strings: u64 = scanner.number_line("the number of string tags")?;
     let mut name = None;
     for _ in 0..strings {
@@ -139,7 +141,7 @@ fn header(scanner: &mut Scanner) -> Result<DataHeader, Error> {
     Ok(DataHeader { name: name.unwrap_or_else(|| "unnamed".into()), step, components, entries })
 }
 
-fn components(scanner: &mut Scanner) -> Result<usize, Error> {
+fn components(scanner: &mut Scanner) -> Result<usize, Problem> {
     let place = scanner.position();
     let line = scanner.line("the number of components")?;
     match line {

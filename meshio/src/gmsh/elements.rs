@@ -2,10 +2,11 @@
 
 use octruss_mesh::Tagged;
 
-use super::element_types::{ElementType, Shape};
 use super::nodes::Nodes;
 use super::scanner::Scanner;
-use crate::Error;
+use crate::cell_kind::{CellKind, Simplex};
+use crate::mid_side::MidSide;
+use crate::problem::Problem;
 
 /// Elements by shape, nodes already numbered.
 #[derive(Debug, Default)]
@@ -22,15 +23,13 @@ pub struct Elements {
     pub edges: Tagged<2>,
     /// Points, once for each of their groups.
     pub vertices: Tagged<1>,
-    /// Nodes of second-order elements that are no corners there, with repetitions.
-    pub mid_side: Vec<u32>,
-    /// How many tets had mid-side nodes.
-    pub second_order_tets: usize,
+    /// What second-order elements have besides their corners.
+    pub mid_side: MidSide,
     /// How many tets are in several groups.
     pub tets_in_several_groups: usize,
     /// The groups of the last tet, when the file lists a tet once for each.
     groups_of_last: Vec<i32>,
-    unsupported: Vec<(&'static ElementType, usize)>,
+    unsupported: Vec<(&'static CellKind, usize)>,
 }
 
 /// The type with the number that stands at `place` in the file.
@@ -38,8 +37,8 @@ pub fn element_type(
     scanner: &Scanner,
     place: usize,
     code: i32,
-) -> Result<&'static ElementType, Error> {
-    ElementType::of(code).ok_or_else(|| {
+) -> Result<&'static CellKind, Problem> {
+    CellKind::of_gmsh(code).ok_or_else(|| {
         scanner.malformed_at(
             place,
             format!(
@@ -54,10 +53,10 @@ pub fn element_type(
 pub fn read_nodes(
     scanner: &mut Scanner,
     nodes: &Nodes,
-    kind: &ElementType,
-    tag: impl Fn(&mut Scanner) -> Result<u64, Error>,
+    kind: &CellKind,
+    tag: impl Fn(&mut Scanner) -> Result<u64, Problem>,
     numbers: &mut Vec<u32>,
-) -> Result<(), Error> {
+) -> Result<(), Problem> {
     numbers.resize(kind.nodes, 0);
     for number in numbers.iter_mut() {
         let place = scanner.position();
@@ -68,29 +67,27 @@ pub fn read_nodes(
 }
 
 impl Elements {
-    /// Makes room for `count` elements, a number checked against the file's size.
-    pub fn reserve(&mut self, shape: Shape, count: usize) {
-        if shape == Shape::Tet {
-            self.tets.reserve(count);
-            self.tet_tags.reserve(count);
-            self.regions.reserve(count);
-        }
+    /// Makes room for `count` tets, a number checked against the file's size.
+    pub fn reserve_tets(&mut self, count: usize) {
+        self.tets.reserve(count);
+        self.tet_tags.reserve(count);
+        self.regions.reserve(count);
     }
 
     /// Takes one element in. A negative group means: in that group, the other way round.
-    pub fn add(&mut self, kind: &'static ElementType, tag: u64, nodes: &[u32], groups: &[i32]) {
-        match (kind.shape, nodes) {
-            (Shape::Tet, &[a, b, c, d, ..]) => self.add_tet(tag, [a, b, c, d], groups),
-            (Shape::Triangle, &[a, b, c, ..]) => {
+    pub fn add(&mut self, kind: &'static CellKind, tag: u64, nodes: &[u32], groups: &[i32]) {
+        match (kind.simplex, nodes) {
+            (Some(Simplex::Tet), &[a, b, c, d, ..]) => self.add_tet(tag, [a, b, c, d], groups),
+            (Some(Simplex::Triangle), &[a, b, c, ..]) => {
                 add_tagged(&mut self.triangles, groups, [a, b, c], [a, c, b]);
             }
-            (Shape::Edge, &[a, b, ..]) => add_tagged(&mut self.edges, groups, [a, b], [b, a]),
-            (Shape::Vertex, &[a, ..]) => add_tagged(&mut self.vertices, groups, [a], [a]),
+            (Some(Simplex::Edge), &[a, b, ..]) => {
+                add_tagged(&mut self.edges, groups, [a, b], [b, a])
+            }
+            (Some(Simplex::Vertex), &[a, ..]) => add_tagged(&mut self.vertices, groups, [a], [a]),
             _ => return self.count_unsupported(kind),
         }
-        let mid_side = &nodes[kind.corners()..];
-        self.mid_side.extend_from_slice(mid_side);
-        self.second_order_tets += usize::from(kind.shape == Shape::Tet && !mid_side.is_empty());
+        self.mid_side.collect(kind, nodes);
     }
 
     fn add_tet(&mut self, tag: u64, tet: [u32; 4], groups: &[i32]) {
@@ -102,15 +99,9 @@ impl Elements {
 
     /// Like [`Elements::add`], for files that list an element once for each of
     /// its groups, one behind the other: such a tet is taken in once.
-    pub fn add_or_merge(
-        &mut self,
-        kind: &'static ElementType,
-        tag: u64,
-        nodes: &[u32],
-        group: i32,
-    ) {
+    pub fn add_or_merge(&mut self, kind: &'static CellKind, tag: u64, nodes: &[u32], group: i32) {
         let groups = if group == 0 { &[][..] } else { &[group] };
-        if kind.shape == Shape::Tet {
+        if kind.simplex == Some(Simplex::Tet) {
             let again = self.tets.last().is_some_and(|last| nodes.starts_with(last));
             let known = &mut self.groups_of_last;
             // The same group twice is a duplicate tet, which checking the mesh will find.
@@ -125,24 +116,24 @@ impl Elements {
         self.add(kind, tag, nodes, groups);
     }
 
-    fn count_unsupported(&mut self, kind: &'static ElementType) {
-        match self.unsupported.iter_mut().find(|(known, _)| known.code == kind.code) {
+    fn count_unsupported(&mut self, kind: &'static CellKind) {
+        match self.unsupported.iter_mut().find(|(known, _)| std::ptr::eq(*known, kind)) {
             Some((_, count)) => *count += 1,
             None => self.unsupported.push((kind, 1)),
         }
     }
 
     /// Refuses a file with elements that are not handled, naming them all.
-    pub fn refuse_unsupported(&self, scanner: &Scanner) -> Result<(), Error> {
+    pub fn refuse_unsupported(&self) -> Result<(), Problem> {
         if self.unsupported.is_empty() {
             return Ok(());
         }
         let list: Vec<String> = self
             .unsupported
             .iter()
-            .map(|(kind, count)| format!("{count} {} (element type {})", kind.plural, kind.code))
+            .map(|(kind, count)| format!("{count} {}", kind.gmsh_name()))
             .collect();
-        Err(scanner.unsupported(format!(
+        Err(Problem::unsupported(format!(
             "the mesh has {}; only tetrahedra, triangles, lines and points of first or second \
              order are read: mesh it again without recombination, with Mesh.ElementOrder = 1",
             list.join(", ")

@@ -2,7 +2,7 @@
 //! geometric entity. Geometry and topology of the entities are passed over.
 
 use super::scanner::Scanner;
-use crate::Error;
+use crate::problem::Problem;
 
 /// The groups of entities, by dimension and tag.
 #[derive(Debug, Default)]
@@ -22,13 +22,13 @@ impl Entities {
     }
 
     /// Reads `$Entities` and adds what it says.
-    pub fn read(&mut self, scanner: &mut Scanner) -> Result<(), Error> {
+    pub fn read(&mut self, scanner: &mut Scanner) -> Result<(), Problem> {
         self.read_all(scanner, |_| Ok(()))
     }
 
     /// Reads `$PartitionedEntities` and adds what it says. The entities of the
     /// parts of a mesh have tags of their own.
-    pub fn read_partitioned(&mut self, scanner: &mut Scanner) -> Result<(), Error> {
+    pub fn read_partitioned(&mut self, scanner: &mut Scanner) -> Result<(), Problem> {
         scanner.size("the number of partitions")?;
         scanner.end_record("the number of partitions")?;
         let ghosts = scanner.size("the number of ghost entities")?;
@@ -48,8 +48,8 @@ impl Entities {
     fn read_all(
         &mut self,
         scanner: &mut Scanner,
-        skip_partitions: impl Fn(&mut Scanner) -> Result<(), Error>,
-    ) -> Result<(), Error> {
+        skip_partitions: impl Fn(&mut Scanner) -> Result<(), Problem>,
+    ) -> Result<(), Problem> {
         let mut counts = [0; 4];
         for count in &mut counts {
             *count = scanner.size("the number of entities of a dimension")?;
@@ -76,7 +76,7 @@ impl Entities {
     }
 }
 
-fn groups(scanner: &mut Scanner) -> Result<Vec<i32>, Error> {
+fn groups(scanner: &mut Scanner) -> Result<Vec<i32>, Problem> {
     let mut groups = Vec::new();
     for _ in 0..scanner.size("the number of physical groups of an entity")? {
         groups.push(scanner.int("a physical group of an entity")?);
@@ -85,7 +85,7 @@ fn groups(scanner: &mut Scanner) -> Result<Vec<i32>, Error> {
     Ok(groups)
 }
 
-fn skip_ints(scanner: &mut Scanner, what: &str) -> Result<(), Error> {
+fn skip_ints(scanner: &mut Scanner, what: &str) -> Result<(), Problem> {
     for _ in 0..scanner.size("a count")? {
         scanner.int(what)?;
     }

@@ -1,7 +1,8 @@
 //! `$MeshFormat`: the version and how numbers are written.
 
-use super::scanner::{Encoding, Scanner, parse_text, quoted};
-use crate::Error;
+use super::scanner::{Encoding, Scanner};
+use crate::problem::Problem;
+use crate::text::{parse_text, quoted};
 
 /// The layouts that are read.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -13,7 +14,7 @@ pub enum Version {
 }
 
 /// Reads the first section and sets the scanner's encoding.
-pub fn read(scanner: &mut Scanner) -> Result<Version, Error> {
+pub fn read(scanner: &mut Scanner) -> Result<Version, Problem> {
     scanner.skip_blank();
     while scanner.rest().starts_with(b"$Comments") {
         scanner.skip_past_line("$EndComments")?;
@@ -39,7 +40,7 @@ pub fn read(scanner: &mut Scanner) -> Result<Version, Error> {
         b"0" => {}
         b"1" => {
             if data_size != b"8" {
-                return Err(scanner.unsupported(format!(
+                return Err(Problem::unsupported(format!(
                     "binary data of size {} cannot be read, only 8; save the mesh again \
                      with a 64-bit Gmsh or as ASCII",
                     quoted(data_size)
@@ -58,13 +59,13 @@ pub fn read(scanner: &mut Scanner) -> Result<Version, Error> {
     Ok(version)
 }
 
-fn find_start(scanner: &mut Scanner) -> Result<(), Error> {
+fn find_start(scanner: &mut Scanner) -> Result<(), Problem> {
     let (start, rest) = (scanner.position(), scanner.rest());
     if rest.is_empty() {
         return Err(scanner.malformed("the file is empty; expected $MeshFormat of a Gmsh mesh"));
     }
     if rest.starts_with(b"$NOD") || rest.starts_with(b"$PARA") {
-        return Err(unsupported_version(scanner, "1.0"));
+        return Err(unsupported_version("1.0"));
     }
     match scanner.section() {
         Ok(Some(name)) if name == "MeshFormat" => Ok(()),
@@ -73,7 +74,7 @@ fn find_start(scanner: &mut Scanner) -> Result<(), Error> {
 }
 
 /// The file starts with something else: tell what it looks like.
-fn not_gmsh(scanner: &Scanner, start: usize, rest: &[u8]) -> Error {
+fn not_gmsh(scanner: &Scanner, start: usize, rest: &[u8]) -> Problem {
     let line = rest.split(|&byte| byte == b'\n').next().unwrap_or_default().trim_ascii();
     let advice = if line.starts_with(b"<") {
         "it looks like XML; if it is a VTK file, name it .vtu"
@@ -88,7 +89,7 @@ fn not_gmsh(scanner: &Scanner, start: usize, rest: &[u8]) -> Error {
     )
 }
 
-fn version(scanner: &Scanner, start: usize, text: &[u8]) -> Result<Version, Error> {
+fn version(scanner: &Scanner, start: usize, text: &[u8]) -> Result<Version, Problem> {
     let number: f64 = parse_text(text).ok_or_else(|| {
         scanner.malformed_at(start, format!("the version is {}; expected 4.1 or 2.2", quoted(text)))
     })?;
@@ -97,19 +98,19 @@ fn version(scanner: &Scanner, start: usize, text: &[u8]) -> Result<Version, Erro
     } else if number == 4.1 {
         Ok(Version::V4)
     } else {
-        Err(unsupported_version(scanner, &String::from_utf8_lossy(text)))
+        Err(unsupported_version(&String::from_utf8_lossy(text)))
     }
 }
 
-fn unsupported_version(scanner: &Scanner, version: &str) -> Error {
-    scanner.unsupported(format!(
+fn unsupported_version(version: &str) -> Problem {
+    Problem::unsupported(format!(
         "the Gmsh file has version {version}, which is not read; save as MSH 4.1 or 2.2 \
          (Gmsh option Mesh.MshFileVersion)"
     ))
 }
 
 /// Binary files hold the 32-bit number one to show their byte order.
-fn read_byte_order(scanner: &mut Scanner) -> Result<(), Error> {
+fn read_byte_order(scanner: &mut Scanner) -> Result<(), Problem> {
     scanner.encoding = Encoding::LittleEndian;
     let start = scanner.position();
     match scanner.int("the number one, which shows the byte order")? {

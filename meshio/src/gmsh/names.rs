@@ -2,11 +2,12 @@
 
 use octruss_mesh::Group;
 
-use super::scanner::{Scanner, parse_text, quoted};
-use crate::Error;
+use super::scanner::Scanner;
+use crate::problem::Problem;
+use crate::text::{parse_text, quoted};
 
 /// Reads the section, text in binary files, too.
-pub fn read(scanner: &mut Scanner) -> Result<Vec<Group>, Error> {
+pub fn read(scanner: &mut Scanner) -> Result<Vec<Group>, Problem> {
     let count: u64 = scanner.number_line("the number of physical names")?;
     let mut groups: Vec<Group> = Vec::new();
     for _ in 0..count {
@@ -39,7 +40,7 @@ fn group(line: &[u8]) -> Option<Group> {
     words.next().is_none().then_some(Group { dimension, id, name })
 }
 
-fn check_unique(scanner: &Scanner, groups: &[Group]) -> Result<(), Error> {
+fn check_unique(scanner: &Scanner, groups: &[Group]) -> Result<(), Problem> {
     let mut keys: Vec<(u8, i32)> = groups.iter().map(|g| (g.dimension, g.id)).collect();
     keys.sort_unstable();
     match keys.windows(2).find(|pair| pair[0] == pair[1]) {

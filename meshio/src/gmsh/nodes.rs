@@ -2,7 +2,7 @@
 
 use super::scanner::Scanner;
 use super::tags::TagMap;
-use crate::Error;
+use crate::problem::Problem;
 
 /// Nodes while they are being read.
 #[derive(Debug, Default)]
@@ -25,7 +25,7 @@ pub struct Nodes {
 
 impl NodeList {
     /// Checks that there are as many as announced and that each tag occurs once.
-    pub fn finish(self, scanner: &Scanner, announced: u64) -> Result<Nodes, Error> {
+    pub fn finish(self, scanner: &Scanner, announced: u64) -> Result<Nodes, Problem> {
         let count = self.points.len();
         if count as u64 != announced {
             return Err(scanner.malformed(format!(
@@ -33,8 +33,9 @@ impl NodeList {
             )));
         }
         if count >= u32::MAX as usize {
-            return Err(scanner
-                .unsupported(format!("{count} nodes are too many: fewer than 2^32 − 1 are read")));
+            return Err(Problem::unsupported(format!(
+                "{count} nodes are too many: fewer than 2^32 − 1 are read"
+            )));
         }
         let (map, twice) = TagMap::new(&self.tags);
         if let Some(index) = twice {
@@ -51,7 +52,7 @@ impl NodeList {
 impl Nodes {
     /// The number of the node that is called `tag` at `place` in the file.
     #[inline]
-    pub fn index(&self, scanner: &Scanner, place: usize, tag: u64) -> Result<u32, Error> {
+    pub fn index(&self, scanner: &Scanner, place: usize, tag: u64) -> Result<u32, Problem> {
         self.map.index(tag).ok_or_else(|| {
             scanner.malformed_at(
                 place,

@@ -1,10 +1,9 @@
 //! A cursor over the bytes of a file that reads numbers the same way from text
 //! and from binary sections, and knows its place for error messages.
 
-use std::path::Path;
-use std::str::FromStr;
-
-use crate::{Error, Place};
+use crate::error::Place;
+use crate::problem::Problem;
+use crate::text::{self, line_at, parse_text, quoted};
 
 /// How the numbers of the sections with bulk data are written.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -23,7 +22,6 @@ pub enum Encoding {
 /// The reads of bulk data are always inlined: that took a binary file of a
 /// million tets from 71 to 26 ms of processor time.
 pub struct Scanner<'a> {
-    path: &'a Path,
     bytes: &'a [u8],
     position: usize,
     /// Set by the file's header; ASCII until then.
@@ -31,9 +29,9 @@ pub struct Scanner<'a> {
 }
 
 impl<'a> Scanner<'a> {
-    /// A cursor at the first byte; `path` serves messages only.
-    pub fn new(path: &'a Path, bytes: &'a [u8]) -> Self {
-        Self { path, bytes, position: 0, encoding: Encoding::Ascii }
+    /// A cursor at the first byte.
+    pub fn new(bytes: &'a [u8]) -> Self {
+        Self { bytes, position: 0, encoding: Encoding::Ascii }
     }
 
     /// The bytes that are still to be read.
@@ -53,32 +51,23 @@ impl<'a> Scanner<'a> {
 
     /// The file's content is wrong where the cursor stands.
     #[cold]
-    pub fn malformed(&self, message: impl Into<String>) -> Error {
+    pub fn malformed(&self, message: impl Into<String>) -> Problem {
         self.malformed_at(self.position, message)
     }
 
     /// The file's content is wrong at `position`: a line of a text file, a byte of a binary one.
     #[cold]
-    pub fn malformed_at(&self, position: usize, message: impl Into<String>) -> Error {
+    pub fn malformed_at(&self, position: usize, message: impl Into<String>) -> Problem {
         let place = match self.encoding {
-            Encoding::Ascii => {
-                let before = &self.bytes[..position.min(self.bytes.len())];
-                Place::Line(1 + before.iter().filter(|&&byte| byte == b'\n').count())
-            }
+            Encoding::Ascii => Place::Line(line_at(self.bytes, position)),
             Encoding::LittleEndian | Encoding::BigEndian => Place::Byte(position),
         };
-        Error::malformed(self.path, place, message)
-    }
-
-    /// The file may be right but is not handled.
-    #[cold]
-    pub fn unsupported(&self, message: impl Into<String>) -> Error {
-        Error::unsupported(self.path, message)
+        Problem::Malformed(place, message.into())
     }
 
     /// A 32-bit integer of bulk data.
     #[inline(always)]
-    pub fn int(&mut self, what: &str) -> Result<i32, Error> {
+    pub fn int(&mut self, what: &str) -> Result<i32, Problem> {
         match self.encoding {
             Encoding::Ascii => self.parsed(parse_i32, "a whole number", what),
             Encoding::LittleEndian => Ok(i32::from_le_bytes(self.take(what)?)),
@@ -88,7 +77,7 @@ impl<'a> Scanner<'a> {
 
     /// A 64-bit count or tag of bulk data.
     #[inline(always)]
-    pub fn size(&mut self, what: &str) -> Result<u64, Error> {
+    pub fn size(&mut self, what: &str) -> Result<u64, Problem> {
         match self.encoding {
             Encoding::Ascii => self.parsed(parse_u64, "a whole number, 0 or more", what),
             Encoding::LittleEndian => Ok(u64::from_le_bytes(self.take(what)?)),
@@ -98,7 +87,7 @@ impl<'a> Scanner<'a> {
 
     /// A tag that is 32-bit and signed in binary files, but must not be negative.
     #[inline(always)]
-    pub fn tag(&mut self, what: &str) -> Result<u64, Error> {
+    pub fn tag(&mut self, what: &str) -> Result<u64, Problem> {
         if self.encoding == Encoding::Ascii {
             return self.size(what);
         }
@@ -110,7 +99,7 @@ impl<'a> Scanner<'a> {
 
     /// A floating-point number of bulk data. "nan" and "inf" are numbers here.
     #[inline(always)]
-    pub fn double(&mut self, what: &str) -> Result<f64, Error> {
+    pub fn double(&mut self, what: &str) -> Result<f64, Problem> {
         match self.encoding {
             Encoding::Ascii => self.parsed(parse_text, "a number", what),
             Encoding::LittleEndian => Ok(f64::from_le_bytes(self.take(what)?)),
@@ -120,7 +109,7 @@ impl<'a> Scanner<'a> {
 
     /// Ends a record of bulk data: the rest of the line must be blank. Binary records have no end.
     #[inline(always)]
-    pub fn end_record(&mut self, what: &str) -> Result<(), Error> {
+    pub fn end_record(&mut self, what: &str) -> Result<(), Problem> {
         if self.encoding != Encoding::Ascii {
             return Ok(());
         }
@@ -146,17 +135,9 @@ impl<'a> Scanner<'a> {
         count: u64,
         least: usize,
         what: &str,
-    ) -> Result<usize, Error> {
-        let left = self.rest().len();
-        usize::try_from(count).ok().filter(|&count| count <= left / least.max(1)).ok_or_else(|| {
-            self.malformed_at(
-                place,
-                format!(
-                    "{count} {what} are announced, but only {left} bytes follow, \
-                 too few for them: the count is wrong or the file is cut off"
-                ),
-            )
-        })
+    ) -> Result<usize, Problem> {
+        text::announced(count, self.rest().len(), least, what)
+            .map_err(|message| self.malformed_at(place, message))
     }
 
     #[inline]
@@ -165,7 +146,7 @@ impl<'a> Scanner<'a> {
         parse: impl Fn(&[u8]) -> Option<T>,
         kind: &str,
         what: &str,
-    ) -> Result<T, Error> {
+    ) -> Result<T, Problem> {
         self.skip_spaces();
         let token = self.peek_token();
         match parse(token) {
@@ -178,7 +159,7 @@ impl<'a> Scanner<'a> {
     }
 
     #[cold]
-    fn unexpected(&self, token: &[u8], kind: &str, what: &str) -> Error {
+    fn unexpected(&self, token: &[u8], kind: &str, what: &str) -> Problem {
         let found = if !token.is_empty() {
             format!("found {}", quoted(token))
         } else if self.rest().is_empty() {
@@ -191,15 +172,12 @@ impl<'a> Scanner<'a> {
 
     /// The file ends before `what`.
     #[cold]
-    pub fn cut_off(&self, what: &str) -> Error {
-        self.malformed_at(
-            self.bytes.len(),
-            format!("the file ends where {what} was expected: it is cut off, write it again"),
-        )
+    pub fn cut_off(&self, what: &str) -> Problem {
+        self.malformed_at(self.bytes.len(), text::cut_off(what))
     }
 
     #[inline(always)]
-    fn take<const N: usize>(&mut self, what: &str) -> Result<[u8; N], Error> {
+    fn take<const N: usize>(&mut self, what: &str) -> Result<[u8; N], Problem> {
         match self.rest().first_chunk::<N>() {
             Some(&chunk) => {
                 self.position += N;
@@ -224,14 +202,6 @@ impl<'a> Scanner<'a> {
     }
 }
 
-/// A piece of the file as a message can show it: short, printable, in quotes.
-pub fn quoted(text: &[u8]) -> String {
-    const SHOWN: usize = 40;
-    let cut = &text[..text.len().min(SHOWN)];
-    let dots = if text.len() > SHOWN { "…" } else { "" };
-    format!("\"{}{dots}\"", String::from_utf8_lossy(cut).escape_debug())
-}
-
 #[inline]
 fn parse_u64(token: &[u8]) -> Option<u64> {
     // Nineteen digits always fit.
@@ -249,9 +219,4 @@ fn parse_i32(token: &[u8]) -> Option<i32> {
         Some(digits) => i32::try_from(-i64::try_from(parse_u64(digits)?).ok()?).ok(),
         None => i32::try_from(parse_u64(token)?).ok(),
     }
-}
-
-/// Parses through the standard library.
-pub fn parse_text<T: FromStr>(token: &[u8]) -> Option<T> {
-    std::str::from_utf8(token).ok()?.parse().ok()
 }

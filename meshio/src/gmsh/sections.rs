@@ -2,12 +2,13 @@
 
 use std::str::FromStr;
 
-use super::scanner::{Scanner, parse_text, quoted};
-use crate::Error;
+use super::scanner::Scanner;
+use crate::problem::Problem;
+use crate::text::{parse_text, quoted};
 
 impl<'a> Scanner<'a> {
     /// The next line without its end and without blanks around it.
-    pub fn line(&mut self, what: &str) -> Result<&'a [u8], Error> {
+    pub fn line(&mut self, what: &str) -> Result<&'a [u8], Problem> {
         let rest = self.rest();
         if rest.is_empty() {
             return Err(self.cut_off(what));
@@ -18,7 +19,7 @@ impl<'a> Scanner<'a> {
     }
 
     /// A line that holds one number.
-    pub fn number_line<T: FromStr>(&mut self, what: &str) -> Result<T, Error> {
+    pub fn number_line<T: FromStr>(&mut self, what: &str) -> Result<T, Problem> {
         let start = self.position();
         let line = self.line(what)?;
         parse_text(line).ok_or_else(|| {
@@ -37,7 +38,7 @@ impl<'a> Scanner<'a> {
     }
 
     /// Moves behind the next line that is exactly `marker`; binary data may come before it.
-    pub fn skip_past_line(&mut self, marker: &str) -> Result<(), Error> {
+    pub fn skip_past_line(&mut self, marker: &str) -> Result<(), Problem> {
         let rest = self.rest();
         let mut from = 0;
         while let Some(found) = rest[from..].iter().position(|&byte| byte == b'$') {
@@ -56,7 +57,7 @@ impl<'a> Scanner<'a> {
     }
 
     /// The name of the next section without its `$`, or `None` at the end of the file.
-    pub fn section(&mut self) -> Result<Option<String>, Error> {
+    pub fn section(&mut self) -> Result<Option<String>, Problem> {
         self.skip_blank();
         if self.rest().is_empty() {
             return Ok(None);
@@ -73,7 +74,7 @@ impl<'a> Scanner<'a> {
     }
 
     /// Reads `$EndNAME`.
-    pub fn end_section(&mut self, name: &str) -> Result<(), Error> {
+    pub fn end_section(&mut self, name: &str) -> Result<(), Problem> {
         self.skip_blank();
         let start = self.position();
         let line = self.line(&format!("the end of the section, $End{name},"))?;

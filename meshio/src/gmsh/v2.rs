@@ -1,13 +1,12 @@
 //! Nodes and elements of MSH 2.2: each element carries its tags.
 
-use super::element_types::Shape;
 use super::elements::{Elements, element_type, read_nodes};
 use super::nodes::{NodeList, Nodes};
 use super::scanner::{Encoding, Scanner};
-use crate::Error;
+use crate::problem::Problem;
 
 /// Reads `$Nodes`: tag and three coordinates each.
-pub fn nodes(scanner: &mut Scanner) -> Result<Nodes, Error> {
+pub fn nodes(scanner: &mut Scanner) -> Result<Nodes, Problem> {
     let place = scanner.position();
     let count: u64 = scanner.number_line("the number of nodes")?;
     let least = if scanner.encoding == Encoding::Ascii { 8 } else { 28 };
@@ -31,13 +30,13 @@ pub fn nodes(scanner: &mut Scanner) -> Result<Nodes, Error> {
 }
 
 /// Reads `$Elements`. Binary files group the elements under headers, text has one a line.
-pub fn elements(scanner: &mut Scanner, nodes: &Nodes) -> Result<Elements, Error> {
+pub fn elements(scanner: &mut Scanner, nodes: &Nodes) -> Result<Elements, Problem> {
     let place = scanner.position();
     let count: u64 = scanner.number_line("the number of elements")?;
     let room = scanner.announced(place, count, 8, "elements")?;
     let mut elements = Elements::default();
     // Most elements of a volume mesh are tets.
-    elements.reserve(Shape::Tet, room);
+    elements.reserve_tets(room);
     if scanner.encoding == Encoding::Ascii {
         ascii_elements(scanner, nodes, count, &mut elements)?;
     } else {
@@ -51,7 +50,7 @@ fn ascii_elements(
     nodes: &Nodes,
     count: u64,
     elements: &mut Elements,
-) -> Result<(), Error> {
+) -> Result<(), Problem> {
     let mut numbers = Vec::new();
     for _ in 0..count {
         let tag = scanner.tag("an element tag")?;
@@ -71,7 +70,7 @@ fn binary_elements(
     nodes: &Nodes,
     count: u64,
     elements: &mut Elements,
-) -> Result<(), Error> {
+) -> Result<(), Problem> {
     let mut numbers = Vec::new();
     let mut read = 0;
     while read < count {
@@ -104,7 +103,7 @@ fn binary_elements(
 
 /// The first of an element's tags is its group, 0 for none; the others
 /// (geometric entity, partitions) are not needed.
-fn physical_group(scanner: &mut Scanner, tags: u64) -> Result<i32, Error> {
+fn physical_group(scanner: &mut Scanner, tags: u64) -> Result<i32, Problem> {
     let mut group = 0;
     for index in 0..tags {
         let tag = scanner.int("a tag of an element")?;
@@ -116,6 +115,6 @@ fn physical_group(scanner: &mut Scanner, tags: u64) -> Result<i32, Error> {
 }
 
 #[inline]
-fn node_tag(scanner: &mut Scanner) -> Result<u64, Error> {
+fn node_tag(scanner: &mut Scanner) -> Result<u64, Problem> {
     scanner.tag("a node tag")
 }

@@ -4,7 +4,8 @@ use super::elements::{Elements, element_type, read_nodes};
 use super::entities::Entities;
 use super::nodes::{NodeList, Nodes};
 use super::scanner::{Encoding, Scanner};
-use crate::Error;
+use crate::cell_kind::Simplex;
+use crate::problem::Problem;
 
 /// The first record of `$Nodes` or `$Elements`.
 struct SectionHeader {
@@ -13,7 +14,7 @@ struct SectionHeader {
 }
 
 /// Reads `$Nodes`: in each block all tags, then all coordinates.
-pub fn nodes(scanner: &mut Scanner) -> Result<Nodes, Error> {
+pub fn nodes(scanner: &mut Scanner) -> Result<Nodes, Problem> {
     let place = scanner.position();
     let header = section_header(scanner)?;
     let least = if scanner.encoding == Encoding::Ascii { 8 } else { 32 };
@@ -25,7 +26,7 @@ pub fn nodes(scanner: &mut Scanner) -> Result<Nodes, Error> {
     list.finish(scanner, header.total)
 }
 
-fn node_block(scanner: &mut Scanner, list: &mut NodeList, least: usize) -> Result<(), Error> {
+fn node_block(scanner: &mut Scanner, list: &mut NodeList, least: usize) -> Result<(), Problem> {
     let dimension = entity_dimension(scanner)?;
     scanner.int("the tag of an entity")?;
     let place = scanner.position();
@@ -70,7 +71,7 @@ pub fn elements(
     scanner: &mut Scanner,
     nodes: &Nodes,
     entities: &Entities,
-) -> Result<Elements, Error> {
+) -> Result<Elements, Problem> {
     let header = section_header(scanner)?;
     let mut elements = Elements::default();
     let mut total = 0;
@@ -92,7 +93,7 @@ fn element_block(
     nodes: &Nodes,
     entities: &Entities,
     elements: &mut Elements,
-) -> Result<u64, Error> {
+) -> Result<u64, Problem> {
     let dimension = entity_dimension(scanner)?;
     let groups = entities.groups(dimension, scanner.int("the tag of an entity")?);
     let place = scanner.position();
@@ -103,7 +104,9 @@ fn element_block(
     scanner.end_record("the start of the block")?;
     let least = if scanner.encoding == Encoding::Ascii { 2 } else { 8 } * (1 + kind.nodes);
     let room = scanner.announced(place, count, least - 1, "elements of a block")?;
-    elements.reserve(kind.shape, room);
+    if kind.simplex == Some(Simplex::Tet) {
+        elements.reserve_tets(room);
+    }
     let mut numbers = Vec::with_capacity(kind.nodes);
     for _ in 0..count {
         let tag = scanner.size("an element tag")?;
@@ -113,7 +116,7 @@ fn element_block(
     Ok(count)
 }
 
-fn entity_dimension(scanner: &mut Scanner) -> Result<i32, Error> {
+fn entity_dimension(scanner: &mut Scanner) -> Result<i32, Problem> {
     let place = scanner.position();
     let dimension = scanner.int("the dimension of an entity")?;
     if (0..=3).contains(&dimension) {
@@ -123,7 +126,7 @@ fn entity_dimension(scanner: &mut Scanner) -> Result<i32, Error> {
         .malformed_at(place, format!("the dimension of an entity is {dimension}; expected 0 to 3")))
 }
 
-fn section_header(scanner: &mut Scanner) -> Result<SectionHeader, Error> {
+fn section_header(scanner: &mut Scanner) -> Result<SectionHeader, Problem> {
     let blocks = scanner.size("the number of blocks")?;
     let total = scanner.size("the total number")?;
     scanner.size("the smallest tag")?;

@@ -2,7 +2,6 @@
 
 use std::cell::Cell;
 use std::panic::catch_unwind;
-use std::path::Path;
 
 use vtkio::model::{
     Attribute, Cells, DataSet, ElementType, IOBuffer, Piece, UnstructuredGridPiece, VertexNumbers,
@@ -11,27 +10,14 @@ use vtkio::model::{
 
 use super::{dialect, names};
 use crate::dataset::{Dataset, Field, Values};
-use crate::error::{Error, Place};
-use crate::format::Format;
+use crate::error::Place;
 use crate::grid::Grid;
+use crate::notes;
 use crate::problem::Problem;
 
-/// Reads a legacy VTK file with an unstructured grid, ASCII or binary.
-///
-/// Cells and tags are treated as by [`crate::vtu::read`].
-///
-/// # Errors
-/// [`Error::Io`]; [`Error::Malformed`] with the byte from which on the file
-/// cannot be understood; [`Error::Unsupported`] for other kinds of data and cells.
-pub fn read(path: &Path) -> Result<Dataset, Error> {
-    let mut bytes = std::fs::read(path).map_err(|source| Error::io(path, source))?;
-    dialect::respell(&mut bytes);
-    parse(&bytes).map_err(|problem| problem.of(path))
-}
-
 /// The dataset in the bytes of a legacy VTK file.
-fn parse(bytes: &[u8]) -> Result<Dataset, Problem> {
-    Format::LegacyVtk.check_content(bytes)?;
+pub(super) fn parse(bytes: &[u8]) -> Result<Dataset, Problem> {
+    let bytes = &*dialect::respelled(bytes);
     let mut grid = Grid::default();
     let piece = unstructured(parse_all(bytes)?)?;
     grid.points = points(piece.points)?;
@@ -146,7 +132,7 @@ fn fields(
     let mut add = |name: &str, components: usize, buffer: IOBuffer| {
         let name = names::decode(name);
         if matches!(buffer, IOBuffer::Bit(_)) {
-            notes.push(format!("The array `{name}` holds bits and was left out."));
+            notes.push(notes::bits(&name));
             return Ok(());
         }
         let part = || format!("array `{name}`");
@@ -176,7 +162,7 @@ fn fields(
             }
         }
     }
-    notes.extend(tables.iter().map(|name| format!("The lookup table `{name}` was left out.")));
+    notes.extend(tables.iter().map(|name| notes::lookup_table(name)));
     Ok(fields)
 }
 

@@ -31,28 +31,6 @@ pub fn write(path: &Path, dataset: &Dataset) -> Result<(), Error> {
     write_aside(path, |file| vtk.write_legacy(file).map_err(|e| io::Error::other(e.to_string())))
 }
 
-/// What a legacy file cannot hold of `dataset`, a sentence each.
-pub(crate) fn losses(dataset: &Dataset) -> Vec<String> {
-    let mut losses = Vec::new();
-    if !dataset.mesh.groups.is_empty() {
-        losses.push("Legacy VTK files hold no group names; groups keep their ids only.".into());
-    }
-    if dataset.mesh.features.is_some() {
-        losses.push("Legacy VTK files hold no features; they will be found anew.".into());
-    }
-    losses.extend(dataset.corner_losses());
-    let fields = dataset.point_fields.iter().chain(&dataset.cell_fields);
-    let derived: Vec<&str> = fields.filter(|f| f.derived).map(|f| f.name.as_str()).collect();
-    if !derived.is_empty() {
-        losses.push(format!(
-            "Legacy VTK files do not tell data from what was computed from the mesh ({}); refining \
-             will carry both along.",
-            derived.join(", ")
-        ));
-    }
-    losses
-}
-
 fn model(dataset: &Dataset) -> Result<Vtk, String> {
     dataset.check_lengths()?;
     refuse_name(&dataset.cell_fields, REGION)?;

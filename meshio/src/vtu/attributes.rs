@@ -5,8 +5,8 @@ use std::borrow::Cow;
 use quick_xml::XmlVersion;
 use quick_xml::events::BytesStart;
 
+use super::array_tag::{ArrayKind, ArrayTag, Source};
 use super::blocks::Packing;
-use super::header::{ArrayKind, ArrayTag, Source};
 use super::number::{ByteOrder, NumberType};
 use crate::problem::Problem;
 

@@ -2,9 +2,10 @@
 
 use std::borrow::Cow;
 
+use super::array_tag::{ArrayKind, ArrayTag, Source};
 use super::base64;
 use super::blocks;
-use super::header::{ArrayKind, ArrayTag, Header, Source};
+use super::header::Header;
 use super::number::{self, ByteOrder, NumberType, Whole};
 use crate::dataset::Values;
 use crate::problem::Problem;

@@ -6,13 +6,10 @@ use super::document::{Array, Document, VtuOptions};
 use super::number::NumberType::{Int32, Int64, UInt8};
 use super::own_points::OwnPoints;
 use super::write::positions;
+use crate::cell_kind::Simplex;
 use crate::error::Error;
 use crate::field_data;
 use octruss_mesh::{FeatureReasons, Group, Reason, TetMesh};
-
-/// VTK's numbers for vertices and lines.
-const VERTEX: u8 = 1;
-const LINE: u8 = 3;
 
 /// Writes the point and curve strata of a mesh as a VTU file of vertices and
 /// lines: the points that they use, and the cell arrays `stratum` (0 for fixed
@@ -80,7 +77,8 @@ impl Skeleton {
         let connectivity: Vec<i64> = corners.copied().map(i64::from).collect();
         let ends = (1..=vertices).chain((1..=lines).map(|line| vertices + 2 * line));
         let ends: Vec<i64> = ends.map(|end| end as i64).collect();
-        let types = [vec![VERTEX; vertices], vec![LINE; lines]].concat();
+        let [vertex, line] = [Simplex::Vertex, Simplex::Edge].map(Simplex::vtk_number);
+        let types = [vec![vertex; vertices], vec![line; lines]].concat();
         Document {
             points: self.points.len(),
             cells: vertices + lines,

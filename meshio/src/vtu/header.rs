@@ -5,11 +5,12 @@ use std::borrow::Cow;
 use quick_xml::Reader;
 use quick_xml::events::{BytesStart, Event};
 
+use super::array_tag::{ArrayTag, Source};
 use super::attributes::{Attributes, appended_encoding, array, packing};
 use super::blocks::Packing;
-use super::number::NumberType;
 use crate::error::Place;
 use crate::problem::Problem;
+use crate::text::line_at;
 
 /// What the XML says, and the bytes that it refers to.
 #[derive(Debug)]
@@ -31,34 +32,6 @@ pub(crate) struct Piece<'a> {
     pub(crate) cell_data: Vec<ArrayTag<'a>>,
     pub(crate) positions: Vec<ArrayTag<'a>>,
     pub(crate) topology: Vec<ArrayTag<'a>>,
-}
-
-/// One `<DataArray>`.
-#[derive(Debug)]
-pub(crate) struct ArrayTag<'a> {
-    pub(crate) name: String,
-    pub(crate) kind: ArrayKind,
-    pub(crate) components: usize,
-    pub(crate) source: Source<'a>,
-}
-
-/// What an array is made of.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum ArrayKind {
-    Numbers(NumberType),
-    /// Strings or bits, which no field is made of.
-    Other,
-}
-
-/// Where the values of an array are.
-#[derive(Debug)]
-pub(crate) enum Source<'a> {
-    /// In the element, as numbers in text.
-    Ascii(Cow<'a, str>),
-    /// In the element, as base64.
-    Base64(Cow<'a, str>),
-    /// In the appended section, so far behind its underscore.
-    Appended(u64),
 }
 
 /// The appended section, from behind its underscore.
@@ -100,16 +73,17 @@ pub(crate) fn parse(bytes: &[u8]) -> Result<Header<'_>, Problem> {
     reader.config_mut().expand_empty_elements = true;
     loop {
         let event = reader.read_event().map_err(|reason| {
-            let line = line_at(text, reader.error_position());
+            let line = line_at(bytes, reader.error_position() as usize);
             Problem::Malformed(Place::Line(line), format!("the XML is broken: {reason}"))
         })?;
         if matches!(event, Event::Eof) {
             break;
         }
         parser.event(event).map_err(|problem| match problem {
-            Problem::Malformed(Place::Whole, message) => {
-                Problem::Malformed(Place::Line(line_at(text, reader.buffer_position())), message)
-            }
+            Problem::Malformed(Place::Whole, message) => Problem::Malformed(
+                Place::Line(line_at(bytes, reader.buffer_position() as usize)),
+                message,
+            ),
             other => other,
         })?;
     }
@@ -130,11 +104,6 @@ fn end_of_xml(bytes: &[u8]) -> usize {
         from = start + 1;
     }
     bytes.len()
-}
-
-fn line_at(text: &str, position: u64) -> usize {
-    let end = (position as usize).min(text.len());
-    text.as_bytes()[..end].iter().filter(|&&byte| byte == b'\n').count() + 1
 }
 
 #[derive(Default)]

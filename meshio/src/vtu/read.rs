@@ -1,39 +1,18 @@
 //! VTU files to datasets.
 
-use std::path::Path;
-
 use bytemuck::cast_slice_mut;
 
+use super::array_tag::{ArrayKind, ArrayTag};
 use super::decode::{self, Decoder};
-use super::header::{self, ArrayKind, ArrayTag, Header, Piece};
+use super::header::{self, Header, Piece};
 use crate::dataset::{Dataset, Field, Values};
-use crate::error::Error;
 use crate::field_data::{self, PREFIX, SideArrays};
-use crate::format::Format;
 use crate::grid::Grid;
+use crate::notes;
 use crate::problem::Problem;
 
-/// Reads a VTU file, of ours or of any other program.
-///
-/// All encodings (ascii, base64 in line or appended, raw appended), both byte
-/// orders and header types, and zlib compression are read; all number types are
-/// widened. Pieces are joined. Tets become cells; triangles, lines and vertices
-/// with a tag other than 0 become tagged simplices. Tags come from the first of
-/// the cell arrays `region`, `gmsh:physical`, `medit:ref`, `CellEntityIds` and
-/// `MaterialIds`. Quadratic simplices are read as their corners. What is left
-/// out is said in [`Dataset::notes`].
-///
-/// # Errors
-/// [`Error::Io`]; [`Error::Malformed`] with the line or array where the file
-/// breaks its format; [`Error::Unsupported`] for other cell types and compressors.
-pub fn read(path: &Path) -> Result<Dataset, Error> {
-    let bytes = std::fs::read(path).map_err(|source| Error::io(path, source))?;
-    parse(&bytes).map_err(|problem| problem.of(path))
-}
-
 /// The dataset in the bytes of a VTU file.
-fn parse(bytes: &[u8]) -> Result<Dataset, Problem> {
-    Format::Vtu.check_content(bytes)?;
+pub(super) fn parse(bytes: &[u8]) -> Result<Dataset, Problem> {
     let header = header::parse(bytes)?;
     let decoder = Decoder::new(&header);
     let mut grid = Grid::default();
@@ -192,12 +171,12 @@ fn extend(field: &mut Field, more: Field) -> bool {
 /// Says which arrays were left out.
 fn note_unread(header: &Header<'_>, notes: &mut Vec<String>) {
     for array in header.field_data.iter().filter(|array| !array.name.starts_with(PREFIX)) {
-        notes.push(format!("The array `{}` of the file as a whole was left out.", array.name));
+        notes.push(notes::whole_file_array(&array.name));
     }
     let fields =
         header.pieces.first().into_iter().flat_map(|p| p.point_data.iter().chain(&p.cell_data));
     for array in fields.filter(|array| !matches!(array.kind, ArrayKind::Numbers(_))) {
-        notes.push(format!("The array `{}` holds no numbers and was left out.", array.name));
+        notes.push(notes::no_numbers(&array.name));
     }
 }
 

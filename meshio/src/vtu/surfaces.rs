@@ -6,13 +6,11 @@ use super::document::{Array, Document, VtuOptions};
 use super::number::NumberType::Int32;
 use super::own_points::OwnPoints;
 use super::write::{cells, positions};
+use crate::cell_kind::Simplex;
 use crate::dataset::{Dataset, Field};
 use crate::error::Error;
 use crate::field_data;
 use octruss_mesh::Group;
-
-/// VTK's number for triangles.
-const TRIANGLE: u8 = 5;
 
 /// The cell array with the surface group of each triangle.
 const SURFACE: &str = "surface";
@@ -79,7 +77,7 @@ impl Surfaces {
             point_data: self.fields.iter().map(Array::field).collect(),
             cell_data: vec![Array::numbers(SURFACE, Int32, 1, self.tags.as_slice())],
             positions: vec![positions(&self.points)],
-            topology: cells(&self.triangles, TRIANGLE),
+            topology: cells(&self.triangles, Simplex::Triangle),
         })
     }
 }

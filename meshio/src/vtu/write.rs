@@ -4,10 +4,11 @@ use std::path::Path;
 
 use super::document::{Array, Document, VtuOptions};
 use super::number::NumberType::{Float64, Int32, Int64, UInt8};
+use crate::cell_kind::Simplex;
 use crate::dataset::{Dataset, refuse_name};
 use crate::error::Error;
 use crate::field_data;
-use crate::grid::{REGION, TET};
+use crate::grid::REGION;
 
 /// Writes a VTU file, arrays raw and uncompressed: see [`write_with`].
 ///
@@ -17,7 +18,7 @@ pub fn write(path: &Path, dataset: &Dataset) -> Result<(), Error> {
     write_with(path, dataset, &VtuOptions::default())
 }
 
-/// Writes a VTU file that [`super::read`] turns into the same dataset again.
+/// Writes a VTU file that [`crate::read`] turns into the same dataset again.
 ///
 /// Its cells are the tets, with the cell array `region` (Int32) and one array a
 /// field (Float64 or Int64). Group names, tagged triangles, edges and vertices,
@@ -51,7 +52,7 @@ fn document(dataset: &Dataset) -> Result<Document<'_>, String> {
             .chain(dataset.cell_fields.iter().map(Array::field))
             .collect(),
         positions: vec![positions(&mesh.points)],
-        topology: cells(&mesh.tets, TET),
+        topology: cells(&mesh.tets, Simplex::Tet),
     })
 }
 
@@ -59,9 +60,9 @@ pub(super) fn positions(points: &[[f64; 3]]) -> Array<'_> {
     Array::numbers("Points", Float64, 3, points.as_flattened())
 }
 
-/// The arrays of cells that all have VTK's type `number`. Numbers of 32 bits if
+/// The arrays of cells that are all of one simplex. Numbers of 32 bits if
 /// they suffice: half the bytes, and VTK keeps them so.
-pub(super) fn cells<const N: usize>(cells: &[[u32; N]], number: u8) -> Vec<Array<'_>> {
+pub(super) fn cells<const N: usize>(cells: &[[u32; N]], simplex: Simplex) -> Vec<Array<'_>> {
     let vertices = cells.as_flattened();
     let largest = vertices.iter().copied().max().unwrap_or(0);
     let narrow = largest <= i32::MAX as u32 && vertices.len() <= i32::MAX as usize;
@@ -80,5 +81,6 @@ pub(super) fn cells<const N: usize>(cells: &[[u32; N]], number: u8) -> Vec<Array
             Array::numbers("offsets", Int64, 1, offsets),
         )
     };
-    vec![connectivity, offsets, Array::numbers("types", UInt8, 1, vec![number; cells.len()])]
+    let types = vec![simplex.vtk_number(); cells.len()];
+    vec![connectivity, offsets, Array::numbers("types", UInt8, 1, types)]
 }

@@ -7,9 +7,11 @@ use octruss_meshio::{check_target, read};
 
 /// Convert a mesh file into another format, sound or not
 #[derive(clap::Args)]
-#[command(after_help = "Formats by extension: reads .msh, .vtu, .vtk; writes .vtu, .vtk.\n\
+#[command(
+    after_help = "Formats by extension: reads .msh, .vtu, .vtk, .mesh; writes .vtu, .vtk, .mesh.\n\
     Tagged surfaces go beside a .vtu, as NAME.surfaces.vtu.\n\n\
-    Example:\n  octruss convert part.msh part.vtu")]
+    Example:\n  octruss convert part.msh part.vtu"
+)]
 pub struct Convert {
     /// Mesh to read
     #[arg(value_name = "IN")]

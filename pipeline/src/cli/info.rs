@@ -7,7 +7,7 @@ use std::path::PathBuf;
 #[command(after_help = "Examples:\n  octruss info part.msh\n  \
     octruss info part.msh --json | jq .quality.eta_min")]
 pub struct Info {
-    /// Mesh to read: .msh, .vtu or .vtk
+    /// Mesh to read: .msh, .vtu, .vtk or .mesh
     mesh: PathBuf,
     /// Print JSON for scripts
     #[arg(long)]

@@ -25,7 +25,8 @@ pub struct Refine {
     /// Mesh to read
     #[arg(value_name = "IN")]
     input: PathBuf,
-    /// File to write: .vtu keeps everything, .vtk has no room for names and features
+    /// File to write: .vtu keeps everything, .vtk has no room for names and features,
+    /// .mesh none for fields and point groups either
     #[arg(value_name = "OUT")]
     output: PathBuf,
     /// The weights: linear keeps the shape, interpolatory and interpolatory-literal the

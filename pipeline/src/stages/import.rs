@@ -9,7 +9,7 @@ use crate::amount::short;
 use crate::error::Error;
 use crate::state::State;
 
-/// Reads a mesh file: Gmsh `.msh`, VTK `.vtu` or `.vtk`.
+/// Reads a mesh file: Gmsh `.msh`, VTK `.vtu` or `.vtk`, Medit `.mesh`.
 #[derive(Debug, Clone, PartialEq, Deserialize)]
 #[serde(deny_unknown_fields, rename_all = "kebab-case")]
 pub struct Import {

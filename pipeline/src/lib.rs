@@ -24,6 +24,13 @@
 //! ```
 //!
 //! A value that is no TOML is taken as a string, so names need no quotes.
+//!
+//! # Features
+//!
+//! `cli`, on by default, is the command. Without it
+//! (`default-features = false`) the library stands alone and needs nothing that only
+//! the command does. `pictures`, which `cli` includes, draws the picture of a
+//! [`comparison`].
 
 pub mod amount;
 pub mod comparison;

@@ -40,8 +40,8 @@ pub mod error;
 pub mod expression;
 pub mod input_numbers;
 pub mod memory;
+pub mod observer;
 pub mod output;
-pub mod progress;
 pub mod recipe;
 pub mod report;
 pub mod run;
@@ -51,6 +51,7 @@ pub mod table;
 
 pub use describe::{Description, describe};
 pub use error::Error;
+pub use observer::Observer;
 pub use recipe::Recipe;
 pub use report::Report;
 pub use run::run;

@@ -14,7 +14,7 @@ use super::plan::{Compare, Geometry};
 use super::row::{Level, Row};
 use super::verdict::verdict;
 use crate::error::Error;
-use crate::progress::{Listener, News, Progress};
+use crate::observer::{Event, Observer, StagePlace};
 use crate::recipe::{Choice, ConfigError, Named, Place, Recipe};
 use crate::run::run_into;
 use crate::stages::multigrid::Discrete;
@@ -29,11 +29,11 @@ use crate::stages::{Context, Problem, Solve, Stage, Subdivide, biharmonic, elast
 /// a stage; [`Error::Stopped`] once `stop` is true.
 pub fn compare(
     recipe: &Recipe,
-    listener: &Listener,
+    observer: &dyn Observer,
     stop: &AtomicBool,
 ) -> Result<Comparison, Error> {
     let start = Instant::now();
-    let study = Study::new(recipe, listener, stop)?;
+    let study = Study::new(recipe, observer, stop)?;
     let (mut rows, mut carried) = (Vec::new(), Vec::new());
     for geometry in study.plan.geometries(study.subdivide.scheme.0) {
         let mut hierarchy = study.hierarchy(geometry)?;
@@ -77,14 +77,14 @@ struct Study<'a> {
     body: String,
     /// Finest first.
     levels: Vec<usize>,
-    listener: &'a Listener<'a>,
+    observer: &'a dyn Observer,
     stop: &'a AtomicBool,
 }
 
 impl<'a> Study<'a> {
     fn new(
         recipe: &'a Recipe,
-        listener: &'a Listener,
+        observer: &'a dyn Observer,
         stop: &'a AtomicBool,
     ) -> Result<Self, Error> {
         let refuse = |message: String| {
@@ -124,7 +124,7 @@ impl<'a> Study<'a> {
             solve,
             body: body.unwrap_or_default().to_string_lossy().into(),
             levels,
-            listener,
+            observer,
             stop,
         })
     }
@@ -141,7 +141,7 @@ impl<'a> Study<'a> {
         stages.push(Stage::Subdivide(refined));
         let folders = [&*self.recipe.folder, Path::new("")];
         let source = Some(&self.recipe.source);
-        let who = (self.listener, self.stop);
+        let who = (self.observer, self.stop);
         let state = run_into(&mut Vec::new(), &stages, source, folders, who)?;
         Ok(state.hierarchy.expect("a stage `subdivide` makes levels"))
     }
@@ -155,12 +155,13 @@ impl<'a> Study<'a> {
     ) -> Result<(Vec<Row>, Vec<Carried>), Error> {
         let number = hierarchy.refinements.len();
         let label = format!("{} level {number}", geometry.name());
-        let progress = Progress { stage: 1, stages: 1, label: &label, listener: self.listener };
+        let stage = StagePlace { number: 1, of: 1, label: label.clone() };
         let source = Some(&self.recipe.source);
         let folders = [&*self.recipe.folder, Path::new("")];
         let [input_folder, output_folder] = folders;
-        let context = Context { input_folder, output_folder, source, progress, stop: self.stop };
-        context.progress.tell(News::Started);
+        let (observer, stop) = (self.observer, self.stop);
+        let context = Context { input_folder, output_folder, source, stage, observer, stop };
+        context.tell(Event::StageBegan);
         let start = Instant::now();
         let variants = self.plan.variants(self.solve);
         let reassembling = variants.iter().find(|variant| variant.reassembles());
@@ -180,7 +181,7 @@ impl<'a> Study<'a> {
                 return Err(Error::Stopped { stage: label });
             }
             let what = format!("{} prolongation", variant.prolongation[0]);
-            rows.push(context.progress.step(index + 1, variants.len(), &what, || {
+            rows.push(context.step(index + 1, variants.len(), &what, || {
                 let row =
                     level.row(variant).map_err(|source| self.failed(source, &what, &context))?;
                 let result = row.result();
@@ -190,14 +191,14 @@ impl<'a> Study<'a> {
         let carried = self.carried(hierarchy, geometry, &problem, (&discretise, &context))?;
         let summary = format!("{} variants", rows.len());
         let seconds = start.elapsed().as_secs_f64();
-        context.progress.tell(News::Finished { summary, seconds });
+        context.tell(Event::StageDone { summary, seconds });
         Ok((rows, carried))
     }
 
     fn failed(&self, source: SolverError, what: &str, context: &Context) -> Error {
         match source {
             SolverError::Solver(octruss_solver::Error::Stopped(_)) => {
-                Error::Stopped { stage: context.progress.label.into() }
+                Error::Stopped { stage: context.stage.label.clone() }
             }
             source => context.solver(what, source),
         }

@@ -6,8 +6,8 @@ use toml::de::{DeValue, Error};
 
 use super::error::ConfigError;
 use super::nearest::suggestion;
-use super::override_::Tree;
 use super::source::Source;
+use super::tree::Tree;
 
 /// An error of deserialisation with its place, its key and, for an unknown
 /// name, the nearest valid one. `stage` is the label of the stage being read.

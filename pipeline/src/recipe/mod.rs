@@ -16,7 +16,7 @@ mod labels;
 mod material;
 mod min_quality;
 mod nearest;
-mod override_;
+mod overrides;
 mod parse;
 mod per_region;
 mod prolongation;
@@ -24,6 +24,7 @@ mod several;
 mod solver_choice;
 mod source;
 mod sweeps;
+mod tree;
 mod value;
 mod value_or;
 

@@ -12,8 +12,9 @@ use super::error::ConfigError;
 use super::expect::{Bounds, Expectation};
 use super::explain::explain;
 use super::labels::labels_of_trees;
-use super::override_::{self, Tree};
+use super::overrides::apply;
 use super::source::Source;
+use super::tree::Tree;
 use super::{Recipe, suggestion};
 use crate::comparison::Compare;
 use crate::stages::Stage;
@@ -38,7 +39,7 @@ pub fn parse(path: &Path, text: String, overrides: &[String]) -> Result<Recipe, 
         .map_err(|error| source.error(&error.span().unwrap_or(0..0), error.message().trim_end()))?;
     let mut root = Spanned::new(document.span(), DeValue::Table(document.into_inner()));
     for given in source.overrides() {
-        override_::apply(&mut root, given, &source)?;
+        apply(&mut root, given, &source)?;
     }
     let header = read_header(&root, &source)?;
     let stages = read_stages(&root, &source)?;

@@ -1,6 +1,7 @@
 //! Numbers that a config may give: checked when read.
 
 use std::fmt;
+use std::str::FromStr;
 
 use octruss_fem::{Scalar, Vector};
 use serde::de::{Deserialize, Deserializer, Error, Visitor};
@@ -68,6 +69,15 @@ impl TryFrom<f64> for Degrees {
             .contains(&number)
             .then_some(Self(number))
             .ok_or(format!("expected an angle from 0 to 180 degrees, found {number}"))
+    }
+}
+
+impl FromStr for Degrees {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        let number: f64 = text.parse().map_err(|_| "expected a number of degrees".to_string())?;
+        Self::try_from(number)
     }
 }
 

@@ -29,6 +29,7 @@ mod write;
 use std::ops::{ControlFlow, Range};
 use std::path::Path;
 use std::sync::atomic::{AtomicBool, Ordering};
+use std::time::Instant;
 
 use serde::{Deserialize, Serialize};
 use toml::Spanned;
@@ -52,7 +53,7 @@ pub use transfers::{CoarseOperator, TransferFigures};
 pub use write::{Write, WriteReport};
 
 use crate::error::Error;
-use crate::progress::{News, Progress};
+use crate::observer::{Event, Observer, StagePlace};
 use crate::recipe::Source;
 use crate::state::State;
 
@@ -96,8 +97,10 @@ pub struct Context<'a> {
     pub output_folder: &'a Path,
     /// The config, for places in messages; none if the stages come from elsewhere.
     pub source: Option<&'a Source>,
+    /// The stage.
+    pub stage: StagePlace,
     /// Whom to tell how far it is.
-    pub progress: Progress<'a>,
+    pub observer: &'a dyn Observer,
     /// Whether to end as soon as possible.
     pub stop: &'a AtomicBool,
 }
@@ -108,6 +111,31 @@ impl Context<'_> {
         self.stop.load(Ordering::Relaxed)
     }
 
+    /// Tells the observer.
+    pub fn tell(&self, event: Event) {
+        self.observer.hear(&self.stage, &event);
+    }
+
+    /// Does one step, whose work returns its result and that result in words,
+    /// and tells about its begin and its end.
+    ///
+    /// # Errors
+    /// As the work.
+    pub fn step<T, E>(
+        &self,
+        number: usize,
+        of: usize,
+        what: &str,
+        work: impl FnOnce() -> Result<(T, String), E>,
+    ) -> Result<T, E> {
+        self.tell(Event::StepBegan { number, of, what: what.into() });
+        let start = Instant::now();
+        let (value, result) = work()?;
+        let seconds = start.elapsed().as_secs_f64();
+        self.tell(Event::StepDone { what: what.into(), result, seconds });
+        Ok(value)
+    }
+
     /// What an iteration asks: whether to end.
     pub(crate) fn go_on(&self) -> ControlFlow<()> {
         if self.asked_to_stop() { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
@@ -115,17 +143,17 @@ impl Context<'_> {
 
     /// Tells what the user should know, quiet or not.
     fn remark(&self, notes: &[String]) {
-        notes.iter().for_each(|note| self.progress.tell(News::Remark(note.clone())));
+        notes.iter().for_each(|note| self.tell(Event::Remark(note.clone())));
     }
 
     /// An error about something this stage asks for.
     fn request(&self, message: String) -> Error {
-        Error::Request { stage: self.progress.label.into(), message }
+        Error::Request { stage: self.stage.label.clone(), message }
     }
 
     /// An error about a name that the config gives and the mesh does not have.
     fn name_error(&self, name: &Spanned<String>, message: &str) -> Error {
-        let message = format!("stage `{}`: {message}", self.progress.label);
+        let message = format!("stage `{}`: {message}", self.stage.label);
         match self.source {
             Some(source) => Error::Name(source.error(&name.span(), message)),
             None => self.request(message),
@@ -134,12 +162,12 @@ impl Context<'_> {
 
     /// An error of the solver, with what it was doing.
     pub(crate) fn solver(&self, what: &str, source: octruss_fem::Error) -> Error {
-        Error::Solve { stage: self.progress.label.into(), what: what.into(), source }
+        Error::Solve { stage: self.stage.label.clone(), what: what.into(), source }
     }
 
     /// An error about a stage that should have run before.
     fn order(&self, needs: &'static str) -> Error {
-        Error::Order { stage: self.progress.label.into(), needs }
+        Error::Order { stage: self.stage.label.clone(), needs }
     }
 }
 

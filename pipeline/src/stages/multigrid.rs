@@ -13,7 +13,7 @@ use super::method::MethodFigures;
 use super::solve::Solve;
 use super::traffic::{REPEATS, TrafficFigures};
 use super::transfers::{Made, TransferFigures, reassemble, transfer_figures, transfers};
-use crate::progress::News;
+use crate::observer::Event;
 use crate::recipe::{Choice, Prolongations};
 
 /// What one solve took and reached.
@@ -179,9 +179,7 @@ pub fn solve_with<E: Entry<Real = f64>>(
         .transpose()?;
     let pass_seconds = start.elapsed().as_secs_f64();
     let tell = |iteration: usize, residual: f64| {
-        context
-            .progress
-            .tell(News::Note(format!("iteration {iteration}, residual {residual:.1e}")));
+        context.tell(Event::Note(format!("iteration {iteration}, residual {residual:.1e}")));
         context.go_on()
     };
     let stop = SolveOptions {

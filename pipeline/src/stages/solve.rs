@@ -175,7 +175,7 @@ impl Solve {
             Problem::Elasticity => elasticity::solve(self, hierarchy, context)?,
         };
         let Outcome { solves, assembly_seconds, body, point_fields, cell_fields } = outcome;
-        let number = context.progress.label.strip_prefix("solve").unwrap_or_default();
+        let number = context.stage.label.strip_prefix("solve").unwrap_or_default();
         add_fields(&mut state.point_fields, point_fields, number);
         add_fields(&mut state.cell_fields, cell_fields, number);
         Ok(SolveReport { problem: self.problem, assembly_seconds, solves, body })
@@ -224,7 +224,7 @@ pub(super) fn assembled<E: Entry, T: AsRef<Discrete<E>>>(
 ) -> Result<(T, f64), Error> {
     let start = Instant::now();
     let steps = options.prolongation.len() + 1;
-    let assembled = context.progress.step(1, steps, "assembly", || {
+    let assembled = context.step(1, steps, "assembly", || {
         let assembled = assemble()?;
         let unknowns = format!("{} unknowns", short(assembled.as_ref().unknowns()));
         Ok::<_, Error>((assembled, unknowns))
@@ -245,7 +245,7 @@ pub(super) fn solve_in_turn<E: Entry<Real = f64>>(
     let (mut first, mut all) = (None, Vec::new());
     for (index, &prolongations) in options.prolongation.iter().enumerate() {
         let what = format!("{prolongations} prolongation");
-        let (solution, figures) = context.progress.step(index + 2, steps, &what, || {
+        let (solution, figures) = context.step(index + 2, steps, &what, || {
             let solved = solve_with(options, prolongations, hierarchy, discrete, context);
             let (x, mut figures) = solved.map_err(|source| {
                 let Some(at) = source.unfinished() else { return context.solver(&what, source) };

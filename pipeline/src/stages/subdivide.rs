@@ -116,7 +116,6 @@ impl Subdivide {
         for number in 1..=usize::from(self.levels) {
             let what = format!("level {number} of {}", self.levels);
             let (level, more) = context
-                .progress
                 .step(number, self.levels.into(), &what, || self.add_level(state, context))?;
             report.add(level);
             clamped += more;
@@ -135,7 +134,7 @@ impl Subdivide {
         let step = self.step(finest);
         let clamped = state
             .refine(step, overshoot)
-            .map_err(|source| Error::Subdivide { stage: context.progress.label.into(), source })?;
+            .map_err(|source| Error::Subdivide { stage: context.stage.label.clone(), source })?;
         let hierarchy = state.hierarchy.as_ref().ok_or_else(|| context.order("check"))?;
         let report = LevelReport::of_finest(hierarchy);
         let result = report.result();

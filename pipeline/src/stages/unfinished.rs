@@ -29,7 +29,7 @@ pub(super) fn keep(
         return error;
     }
     Error::Unfinished(Box::new(Unfinished {
-        stage: context.progress.label.into(),
+        stage: context.stage.label.clone(),
         what: what.into(),
         reason: reason.to_string(),
         iterations: report.iterations,

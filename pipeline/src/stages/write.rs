@@ -64,7 +64,7 @@ impl Write {
         let derived = derived_fields(state, finest, topologies.last());
         let notes = derived.replaced(&state.point_fields, &state.cell_fields);
         context.remark(&notes);
-        let mut files = context.progress.step(1, levels + 1, "solution.vtu", || {
+        let mut files = context.step(1, levels + 1, "solution.vtu", || {
             let mut solution = Dataset {
                 mesh: finest.raw().clone(),
                 point_fields: state.point_fields.clone(),
@@ -84,7 +84,7 @@ impl Write {
         for (number, (mesh, topology)) in meshes.iter().zip(topologies).take(levels).enumerate() {
             let name = format!("level-{number}.vtu");
             let path = folder.join(&name);
-            context.progress.step(number + 2, levels + 1, &name, || {
+            context.step(number + 2, levels + 1, &name, || {
                 if number + 1 == meshes.len() {
                     return write_level(&path, mesh, &derived);
                 }

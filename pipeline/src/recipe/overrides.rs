@@ -13,9 +13,7 @@ use super::error::ConfigError;
 use super::labels::labels_of_trees;
 use super::nearest::suggestion;
 use super::source::{Override, Source};
-
-/// A value of a config with its place.
-pub type Tree<'a> = Spanned<DeValue<'a>>;
+use super::tree::Tree;
 
 /// Puts one override into a parsed config.
 ///

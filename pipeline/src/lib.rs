@@ -40,6 +40,7 @@ pub mod error;
 pub mod expression;
 pub mod input_numbers;
 pub mod memory;
+pub mod mesh_phase;
 pub mod observer;
 pub mod output;
 pub mod recipe;

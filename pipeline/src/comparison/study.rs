@@ -143,7 +143,7 @@ impl<'a> Study<'a> {
         let source = Some(&self.recipe.source);
         let who = (self.observer, self.stop);
         let state = run_into(&mut Vec::new(), &stages, source, folders, who)?;
-        Ok(state.hierarchy.expect("a stage `subdivide` makes levels"))
+        Ok(state.mesh.into_levels().expect("a stage `subdivide` makes levels"))
     }
 
     /// All variants on the finest level of a hierarchy, and Chang's test.

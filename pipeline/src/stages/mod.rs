@@ -53,6 +53,7 @@ pub use transfers::{CoarseOperator, TransferFigures};
 pub use write::{Write, WriteReport};
 
 use crate::error::Error;
+use crate::mesh_phase::Missing;
 use crate::observer::{Event, Observer, StagePlace};
 use crate::recipe::Source;
 use crate::state::State;
@@ -165,9 +166,15 @@ impl Context<'_> {
         Error::Solve { stage: self.stage.label.clone(), what: what.into(), source }
     }
 
-    /// An error about a stage that should have run before.
-    fn order(&self, needs: &'static str) -> Error {
-        Error::Order { stage: self.stage.label.clone(), needs }
+    /// What the stages before should have made.
+    ///
+    /// # Errors
+    /// That they have not.
+    fn needed<T>(&self, made: Result<T, Missing>) -> Result<T, Error> {
+        made.map_err(|missing| Error::Order {
+            stage: self.stage.label.clone(),
+            needs: missing.stage,
+        })
     }
 }
 

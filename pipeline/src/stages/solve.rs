@@ -167,8 +167,7 @@ impl Default for Solve {
 
 impl Solve {
     pub(super) fn run(&self, state: &mut State, context: &Context) -> Result<SolveReport, Error> {
-        state.levels(&FeatureOptions::default());
-        let hierarchy = state.hierarchy.as_ref().ok_or_else(|| context.order("check"))?;
+        let hierarchy = context.needed(state.levels(&FeatureOptions::default()))?;
         let outcome = match self.problem {
             Problem::Poisson => scalar::solve(self, hierarchy, poisson::discretise, context)?,
             Problem::Biharmonic => scalar::solve(self, hierarchy, biharmonic::discretise, context)?,

@@ -55,9 +55,10 @@ impl Default for Write {
 
 impl Write {
     pub(super) fn run(&self, state: &mut State, context: &Context) -> Result<WriteReport, Error> {
-        let finest = state.finest().ok_or_else(|| context.order("check"))?;
-        let meshes = state.hierarchy.as_ref().map_or(&[][..], |levels| &levels.meshes);
-        let topologies = state.hierarchy.as_ref().map_or(&[][..], |levels| &levels.topologies);
+        let finest = context.needed(state.mesh.finest())?;
+        let hierarchy = state.mesh.levels();
+        let meshes = hierarchy.map_or(&[][..], |levels| &levels.meshes);
+        let topologies = hierarchy.map_or(&[][..], |levels| &levels.topologies);
         let levels = if self.levels { meshes.len() } else { 0 };
         let folder = context.output_folder;
         create_folder(folder)?;
@@ -134,7 +135,7 @@ fn write_level(
 
 /// Writes the fields that jump on a mesh with one vertex a side, if there are any.
 fn write_sides(path: &Path, state: &State) -> Result<Option<PathBuf>, Error> {
-    let (Some(mesh), Some(sides)) = (state.finest(), &state.sided_fields.sides) else {
+    let (Ok(mesh), Some(sides)) = (state.mesh.finest(), &state.sided_fields.sides) else {
         return Ok(None);
     };
     let apart = Dataset {

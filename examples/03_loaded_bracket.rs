@@ -6,18 +6,17 @@
 //! with one material and one load.
 
 use octruss_fem::{
-    Constraints, Elasticity, Forces, Held, Material, Support, assemble_elasticity,
-    restrict_to_free, strains, stresses, von_mises,
+    Discretisation, Elasticity, Forces, Held, Material, Options, Support, strains, stresses,
+    von_mises,
 };
-use octruss_mesh::{CheckOptions, FeatureOptions, Hierarchy, Level, Scheme, check};
-use octruss_solver::{Multigrid, MultigridOptions, Smoother, SolveOptions, conjugate_gradients};
+use octruss_mesh::{CheckOptions, FeatureOptions, Hierarchy, Scheme, check};
+use octruss_solver::Smoother;
 
 /// The whole chain in five steps.
 pub fn main() -> Result<(), Box<dyn std::error::Error>> {
     // 1. Read, check, refine twice, with sharp edges kept.
     let path = concat!(env!("CARGO_MANIFEST_DIR"), "/examples/meshes/bracket.msh");
-    let dataset = octruss_meshio::read(path.as_ref())?;
-    let mesh = check(dataset.mesh, &CheckOptions::default())?.mesh;
+    let mesh = check(octruss_meshio::read(path.as_ref())?.mesh, &CheckOptions::default())?.mesh;
     let features = FeatureOptions { crease_angle: 40.0, ..FeatureOptions::default() };
     let mut hierarchy = Hierarchy::new(mesh, &features);
     for _ in 0..2 {
@@ -32,45 +31,29 @@ pub fn main() -> Result<(), Box<dyn std::error::Error>> {
         supports: surface("bolts").into_iter().map(clamp).collect(),
         ..Elasticity::new(Material::new(210e3, 0.3))
     };
-    let levels = hierarchy.levels().iter();
-    let held = levels
-        .map(|level| Constraints::new(&level.mesh, &level.topology, &problem.supports))
-        .collect::<Result<Vec<_>, _>>()?;
-    let Level { mesh: body, topology, .. } = hierarchy.finest();
-    let system = assemble_elasticity(body, topology, &problem)?;
 
-    // 3. Multigrid from the matrices that refined the mesh, finest transfer first.
-    let prolongations = (0..2)
-        .rev()
-        .map(|l| {
-            let matrix = &hierarchy.refinement(l).matrix;
-            restrict_to_free(matrix, held[l + 1].dofs(), held[l].dofs())
-        })
-        .collect::<Result<_, _>>()?;
-    let projectors = held.iter().rev().map(Constraints::projectors).collect();
-    // Chebyshev polynomials take fewer iterations than the default for elasticity, whose
-    // iterations cost less.
-    let options = MultigridOptions { smoother: Some(Smoother::CHEBYSHEV), ..Default::default() };
-    let mut multigrid =
-        Multigrid::constrained(&system.matrix, prolongations, projectors, &options)?;
-    println!("{multigrid}");
-    let stop = SolveOptions::default();
-    let (x, report) = conjugate_gradients(&system.matrix, &system.rhs, &mut multigrid, &stop)?;
+    // 3. Multigrid from the matrices that refined the mesh. Chebyshev polynomials take
+    //    fewer iterations than the default for elasticity, whose iterations cost less.
+    let options = Options { smoother: Some(Smoother::CHEBYSHEV), ..Options::default() };
+    let body = Discretisation::new(&hierarchy, &problem, &options)?;
+    let mut solver = body.solver(&options)?;
+    println!("{}", solver.multigrid);
+    let solution = solver.solve(None)?;
 
     // 4. Stresses and forces.
-    let displacement = system.expand(&x)?;
-    let stress = stresses(body, &problem, &strains(body, &displacement)?)?;
+    let (level, displacement) = (hierarchy.finest(), &solution.values);
+    let stress = stresses(&level.mesh, &problem, &strains(&level.mesh, displacement)?)?;
     let greatest = stress.iter().map(von_mises).fold(0.0, f64::max);
-    let constraints = &system.constraints;
-    let forces = Forces::new((body, topology), &problem, constraints, &displacement, &stress)?;
+    let finest = (&level.mesh, &level.topology);
+    let forces = Forces::new(finest, &problem, &body.constraints, displacement, &stress)?;
     let lowest = displacement.iter().map(|u| u[2]).fold(0.0, f64::min);
     println!(
         "{} iterations; {lowest:.4} mm down, {greatest:.0} N/mm² at most, bolts carry {:.1} N",
-        report.iterations, forces.supports[0][2]
+        solution.report.iterations, forces.supports[0][2]
     );
 
     // 5. The load stands on flat faces of 423 mm²: 40 · 423 = 16,920 N.
-    assert!(report.iterations <= 12);
+    assert!(solution.report.iterations <= 12);
     assert!((forces.supports[0][2] - 16_920.0).abs() < 0.01);
     assert!(forces.imbalance() < 1e-7);
     Ok(())

@@ -13,7 +13,7 @@ use std::sync::atomic::Ordering::Relaxed;
 use assert_cmd::cargo::cargo_bin;
 use common::{report, repository, succeed};
 use octruss::Recipe;
-use octruss::progress::News;
+use octruss::observer::{Event, StagePlace};
 use octruss_meshio::Values;
 
 /// Cycles alone never get to such a tolerance, and rounding does not stop them.
@@ -122,11 +122,12 @@ fn a_run_stops_before_the_next_stage() {
     let folder = tempfile::tempdir().unwrap();
     let recipe = Recipe::load(&repository(CUBE), &[]).unwrap();
     let stop = AtomicBool::new(false);
-    let listener = |stage: usize, _: usize, label: &str, news| {
-        assert!(stage <= 2, "{label} began");
-        stop.store(matches!((label, news), ("check", News::Finished { .. })), Relaxed);
+    let observer = |stage: &StagePlace, event: &Event| {
+        let label = stage.label.as_str();
+        assert!(stage.number <= 2, "{label} began");
+        stop.store(matches!((label, event), ("check", Event::StageDone { .. })), Relaxed);
     };
-    let outcome = octruss::run(&recipe, folder.path(), &listener, &stop);
+    let outcome = octruss::run(&recipe, folder.path(), &observer, &stop);
     assert_eq!(outcome.unwrap_err().to_string(), "stopped on request before stage `subdivide`");
     assert!(common::files(folder.path()).is_empty());
 }

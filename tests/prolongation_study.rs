@@ -13,7 +13,7 @@ use octruss_mesh::{
 };
 use octruss_solver::{
     Csr, DiagonalKind, Entry, Multigrid, MultigridOptions, Nodal, Precision, Smoother,
-    SolveOptions, Transfer, conjugate_gradients, noise,
+    SolveOptions, SystemEntry, Transfer, conjugate_gradients, noise,
 };
 
 /// V(1,1) with Gauss–Seidel, by blocks where there are blocks, in double precision.

@@ -24,6 +24,13 @@
 //! ```
 //!
 //! A value that is no TOML is taken as a string, so names need no quotes.
+//!
+//! # Features
+//!
+//! `cli`, on by default, is the command. Without it
+//! (`default-features = false`) the library stands alone and needs nothing that only
+//! the command does. `pictures`, which `cli` includes, draws the picture of a
+//! [`comparison`].
 
 pub mod amount;
 pub mod comparison;
@@ -33,8 +40,9 @@ pub mod error;
 pub mod expression;
 pub mod input_numbers;
 pub mod memory;
+pub mod mesh_phase;
+pub mod observer;
 pub mod output;
-pub mod progress;
 pub mod recipe;
 pub mod report;
 pub mod run;
@@ -44,6 +52,7 @@ pub mod table;
 
 pub use describe::{Description, describe};
 pub use error::Error;
+pub use observer::Observer;
 pub use recipe::Recipe;
 pub use report::Report;
 pub use run::run;

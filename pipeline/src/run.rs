@@ -5,7 +5,7 @@ use std::sync::atomic::AtomicBool;
 use std::time::Instant;
 
 use crate::error::Error;
-use crate::progress::{Listener, News, Progress};
+use crate::observer::{Event, Observer, StagePlace};
 use crate::recipe::{Recipe, Source, compare, stage_labels};
 use crate::report::{Report, StageReport};
 use crate::stages::{Context, Stage};
@@ -27,7 +27,7 @@ use crate::{memory, output};
 pub fn run(
     recipe: &Recipe,
     output_folder: &Path,
-    listener: &Listener,
+    observer: &dyn Observer,
     stop: &AtomicBool,
 ) -> Result<Report, Error> {
     output::check_folder(output_folder)?;
@@ -36,7 +36,7 @@ pub fn run(
     let folders = [&recipe.folder, output_folder];
     let mut stages = Vec::new();
     let source = Some(&recipe.source);
-    let unfinished = match run_into(&mut stages, &recipe.stages, source, folders, (listener, stop))
+    let unfinished = match run_into(&mut stages, &recipe.stages, source, folders, (observer, stop))
     {
         Ok(_) => None,
         Err(Error::Unfinished(solve)) => Some(solve),
@@ -72,9 +72,9 @@ pub fn run_stages(
     stages: &[Stage],
     source: Option<&Source>,
     folders: [&Path; 2],
-    listener: &Listener,
+    observer: &dyn Observer,
 ) -> Result<State, Error> {
-    run_into(&mut Vec::new(), stages, source, folders, (listener, &AtomicBool::new(false)))
+    run_into(&mut Vec::new(), stages, source, folders, (observer, &AtomicBool::new(false)))
 }
 
 /// As [`run_stages`], until asked to stop; adds to `reports` what each stage did,
@@ -84,20 +84,20 @@ pub(crate) fn run_into(
     stages: &[Stage],
     source: Option<&Source>,
     [input_folder, output_folder]: [&Path; 2],
-    (listener, stop): (&Listener, &AtomicBool),
+    (observer, stop): (&dyn Observer, &AtomicBool),
 ) -> Result<State, Error> {
     let mut state = State::default();
     for (index, (stage, label)) in stages.iter().zip(stage_labels(stages)).enumerate() {
-        let progress = Progress { stage: index + 1, stages: stages.len(), label: &label, listener };
-        let context = Context { input_folder, output_folder, source, progress, stop };
+        let place = StagePlace { number: index + 1, of: stages.len(), label: label.clone() };
+        let context = Context { input_folder, output_folder, source, stage: place, observer, stop };
         if context.asked_to_stop() {
             return Err(Error::Stopped { stage: label });
         }
-        context.progress.tell(News::Started);
+        context.tell(Event::StageBegan);
         let start = Instant::now();
         let done = stage.run(&mut state, &context)?;
         let seconds = start.elapsed().as_secs_f64();
-        context.progress.tell(News::Finished { summary: done.summary(), seconds });
+        context.tell(Event::StageDone { summary: done.summary(), seconds });
         reports.push(StageReport { name: label, seconds, done });
     }
     Ok(state)

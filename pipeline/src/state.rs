@@ -10,21 +10,18 @@ use octruss_mesh::{
 use octruss_meshio::{Dataset, Field, Values};
 
 use crate::input_numbers::InputNumbers;
+use crate::mesh_phase::{MeshPhase, Missing};
 
 /// What the stages so far have made.
 #[derive(Debug, Default)]
 pub struct State {
     /// The mesh file.
     pub path: PathBuf,
-    /// What the file says, until it is checked.
-    pub dataset: Option<Dataset>,
-    /// The checked mesh, until it is the coarsest level.
-    pub mesh: Option<TetMesh>,
+    /// The mesh: as imported, checked, or in levels.
+    pub mesh: MeshPhase,
     /// Where the vertices and tets of the checked mesh, or of the coarsest level, are
     /// in the file.
     pub input_numbers: InputNumbers,
-    /// The levels, coarsest first.
-    pub hierarchy: Option<Hierarchy>,
     /// Why the curves and points of the coarsest level are what they are.
     pub feature_reasons: FeatureReasons,
     /// Fields on the vertices of the finest mesh.
@@ -47,31 +44,36 @@ pub struct SidedFields {
 }
 
 impl State {
-    /// The finest mesh, once checked.
-    pub fn finest(&self) -> Option<&TetMesh> {
-        self.hierarchy.as_ref().map(|levels| &levels.finest().mesh).or(self.mesh.as_ref())
-    }
-
     /// The levels; the checked mesh becomes the only one if there are none. It is
     /// readied as `options` say, in whose numbering, and then sorted along a
     /// space-filling curve. A mesh that carries features has been through both.
-    pub fn levels(&mut self, options: &FeatureOptions) -> Option<&mut Hierarchy> {
-        if let Some(mesh) = self.mesh.take() {
-            let (mesh, options) = match mesh.features() {
-                Some(_) => (mesh, None),
-                None => {
-                    let (mesh, from) = sort_along_curve(prepare(mesh, options));
-                    self.renumber(&mesh, &from);
-                    let extra = options.extra.renumbered(&from.new_vertices());
-                    (mesh, Some(FeatureOptions { extra, ..options.clone() }))
-                }
-            };
-            let hierarchy = Hierarchy::new(mesh, &FeatureOptions::default());
-            let Level { mesh, topology, .. } = hierarchy.coarsest();
-            self.feature_reasons = FeatureReasons::new(mesh, topology, options.as_ref());
-            self.hierarchy = Some(hierarchy);
+    ///
+    /// # Errors
+    /// If nothing is checked.
+    pub fn levels(&mut self, options: &FeatureOptions) -> Result<&Hierarchy, Missing> {
+        if let MeshPhase::Checked(_) = &self.mesh {
+            let mut phase = std::mem::take(&mut self.mesh);
+            phase.begin_levels(|mesh| self.coarsest(mesh, options));
+            self.mesh = phase;
         }
-        self.hierarchy.as_mut()
+        self.mesh.levels()
+    }
+
+    /// Makes the checked mesh the coarsest level.
+    fn coarsest(&mut self, mesh: TetMesh, options: &FeatureOptions) -> Hierarchy {
+        let (mesh, options) = match mesh.features() {
+            Some(_) => (mesh, None),
+            None => {
+                let (mesh, from) = sort_along_curve(prepare(mesh, options));
+                self.renumber(&mesh, &from);
+                let extra = options.extra.renumbered(&from.new_vertices());
+                (mesh, Some(FeatureOptions { extra, ..options.clone() }))
+            }
+        };
+        let hierarchy = Hierarchy::new(mesh, &FeatureOptions::default());
+        let Level { mesh, topology, .. } = hierarchy.coarsest();
+        self.feature_reasons = FeatureReasons::new(mesh, topology, options.as_ref());
+        hierarchy
     }
 
     /// Takes the fields along to the new numbers of the mesh.
@@ -92,7 +94,7 @@ impl State {
     /// # Errors
     /// As [`Hierarchy::subdivide`]; everything then stays as it was.
     pub fn refine(&mut self, step: Step, overshoot: Overshoot) -> Result<usize, SubdivideError> {
-        let Some(hierarchy) = &mut self.hierarchy else { return Ok(0) };
+        let Ok(hierarchy) = self.mesh.levels_mut() else { return Ok(0) };
         hierarchy.subdivide(step)?;
         let matrix = &hierarchy.refinement(hierarchy.transfers() - 1).matrix;
         let mut clamped = 0;
@@ -114,20 +116,19 @@ impl State {
     /// The finest mesh with its fields and where its vertices and tets are in the
     /// file, or what was imported if nothing was checked.
     pub fn into_dataset(self) -> Dataset {
-        let Self { dataset, mesh, hierarchy, point_fields, cell_fields, .. } = self;
-        let finest = hierarchy.map(|levels| levels.into_finest().mesh).or(mesh);
-        match finest {
-            Some(mesh) => {
-                let numbers = self.input_numbers.fields(&mesh);
-                let notes = numbers.replaced(&point_fields, &cell_fields);
-                let mesh = mesh.into_raw();
-                let mut dataset =
-                    Dataset { mesh, point_fields, cell_fields, notes, ..Dataset::default() };
-                numbers.add_to(&mut dataset);
-                dataset
-            }
-            None => dataset.unwrap_or_default(),
-        }
+        let Self { mesh, point_fields, cell_fields, input_numbers, .. } = self;
+        let finest = match mesh {
+            MeshPhase::Nothing => return Dataset::default(),
+            MeshPhase::Imported(dataset) => return dataset,
+            MeshPhase::Checked(mesh) => mesh,
+            MeshPhase::Levels(hierarchy) => hierarchy.into_finest().mesh,
+        };
+        let numbers = input_numbers.fields(&finest);
+        let notes = numbers.replaced(&point_fields, &cell_fields);
+        let mesh = finest.into_raw();
+        let mut dataset = Dataset { mesh, point_fields, cell_fields, notes, ..Dataset::default() };
+        numbers.add_to(&mut dataset);
+        dataset
     }
 }
 

@@ -17,6 +17,17 @@ pub fn sample(name: &str) -> PathBuf {
     repository("examples/meshes").join(name)
 }
 
+/// All configs, sorted.
+pub fn configs() -> Vec<PathBuf> {
+    let mut configs: Vec<PathBuf> = std::fs::read_dir(repository("configs"))
+        .unwrap()
+        .map(|entry| entry.unwrap().path())
+        .filter(|path| path.extension().is_some_and(|extension| extension == "toml"))
+        .collect();
+    configs.sort();
+    configs
+}
+
 /// Runs `octruss` in a folder.
 pub fn octruss<S: AsRef<std::ffi::OsStr>>(folder: &Path, arguments: &[S]) -> Output {
     Command::cargo_bin("octruss").unwrap().current_dir(folder).args(arguments).output().unwrap()

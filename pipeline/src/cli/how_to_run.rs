@@ -2,7 +2,7 @@
 
 use std::path::PathBuf;
 
-use super::Threads;
+use super::threads::Threads;
 
 /// Where output goes, what is replaced, and how to work.
 #[derive(clap::Args)]

@@ -4,6 +4,8 @@ use std::process;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 
+use super::say::say;
+
 /// What shells say of a process that Ctrl-C ended.
 const INTERRUPTED: i32 = 130;
 
@@ -15,7 +17,7 @@ pub fn flag() -> anyhow::Result<Arc<AtomicBool>> {
         if set.swap(true, Ordering::Relaxed) {
             process::exit(INTERRUPTED);
         }
-        super::say("stopping after this step, a solve after this iteration; again to end at once");
+        say("stopping after this step, a solve after this iteration; again to end at once");
     })?;
     Ok(flag)
 }

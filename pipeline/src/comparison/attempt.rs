@@ -1,13 +1,11 @@
 //! A solve that may fail to converge: a finding here, not an error.
 
-use octruss_fem::Error;
+use octruss_fem::{Discretisation, Error, Options, Unknown};
 use octruss_solver::{
-    Entry, Error as SolverError, Multigrid, SolveOptions, SolveReport, SystemEntry,
-    conjugate_gradients,
+    Entry, Error as SolverError, Multigrid, SolveOptions, SolveReport, conjugate_gradients,
 };
 
-use crate::stages::multigrid::Discrete;
-use crate::stages::{Context, Solve};
+use crate::stages::Context;
 
 /// The unknowns, and what it took to find them.
 pub(super) type Solved<E> = (Vec<<E as Entry>::Nodal>, SolveReport);
@@ -17,15 +15,15 @@ pub(super) type Solved<E> = (Vec<<E as Entry>::Nodal>, SolveReport);
 ///
 /// # Errors
 /// Whatever else the solver reports, also that it was asked to stop.
-pub(super) fn attempt<E: SystemEntry>(
-    options: &Solve,
-    (discrete, rhs): (&Discrete<E>, &[E::Nodal]),
+pub(super) fn attempt<E: Unknown>(
+    options: &Options,
+    (discrete, rhs): (&Discretisation<E>, &[E::Nodal]),
     multigrid: &mut Multigrid<E>,
     context: &Context,
 ) -> Result<Option<Solved<E>>, Error> {
     let tell = |_: usize, _: f64| context.go_on();
     let goal = SolveOptions {
-        tolerance: options.tolerance.0,
+        tolerance: options.tolerance,
         max_iterations: options.max_iterations,
         progress: Some(&tell),
         ..SolveOptions::default()

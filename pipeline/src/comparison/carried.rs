@@ -2,16 +2,15 @@
 //! by a scheme and by linear interpolation, and both are compared with the solution
 //! of the finer level.
 
-use octruss_fem::Error;
-use octruss_mesh::{Hierarchy, Scheme};
-use octruss_solver::{Nodal, SystemEntry, dot, kernels, norm};
+use octruss_fem::{Discretisation, Error, Options, Unknown};
+use octruss_mesh::Scheme;
+use octruss_solver::{Nodal, dot, kernels, norm};
 use serde::Serialize;
 
 use super::attempt::attempt;
 use super::plan::Geometry;
 use crate::recipe::Choice;
-use crate::stages::multigrid::{Discrete, set_up};
-use crate::stages::{Context, Solve};
+use crate::stages::Context;
 
 /// How near a carried solution comes to the one computed.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -34,31 +33,26 @@ pub struct Carried {
 ///
 /// # Errors
 /// Whatever the solver reports.
-pub(super) fn carry<E: SystemEntry>(
-    options: &Solve,
+pub(super) fn carry<E: Unknown>(
+    options: &Options,
     schemes: &[Scheme],
-    (hierarchy, geometry): (&Hierarchy, Geometry),
-    fine: &Discrete<E>,
-    (coarse_hierarchy, coarse): (&Hierarchy, &Discrete<E>),
+    geometry: Geometry,
+    [coarse, fine]: [&Discretisation<E>; 2],
     context: &Context,
 ) -> Result<Vec<Carried>, Error> {
-    let transfer = coarse_hierarchy.transfers();
-    let solutions = (
-        solution(options, hierarchy, fine, context)?,
-        solution(options, coarse_hierarchy, coarse, context)?,
-    );
+    let transfer = coarse.hierarchy.transfers();
+    let solutions = (solution(options, fine, context)?, solution(options, coarse, context)?);
     let (Some(computed), Some(coarse_solution)) = solutions else { return Ok(Vec::new()) };
-    let coarse_level = coarse.levels.last().expect("there is at least one level");
-    let coarse_values = coarse_level.expand(&coarse_solution);
+    let coarse_values = coarse.finest().expand(&coarse_solution);
     let energy = |v: &[E::Nodal]| {
         let mut image = v.to_vec();
         kernels::product(&fine.matrix, v, &mut image);
         dot(v, &image).sqrt()
     };
     let carried = |&scheme: &Scheme| {
-        let made = hierarchy.prolongation(transfer, scheme);
+        let made = fine.hierarchy.prolongation(transfer, scheme);
         let values = made.matrix.apply_field(Nodal::flat(&coarse_values), E::SIZE);
-        let free = fine.finest().free().iter().zip(&computed);
+        let free = fine.finest().dofs.free().iter().zip(&computed);
         let mut difference: Vec<E::Nodal> = free
             .map(|(&vertex, x)| {
                 let value = |k| values[E::SIZE * vertex as usize + k];
@@ -80,13 +74,12 @@ pub(super) fn carry<E: SystemEntry>(
 
 /// The solution of a level to the tolerance of the stage; none if that is not reached,
 /// or the solution is zero.
-fn solution<E: SystemEntry>(
-    options: &Solve,
-    hierarchy: &Hierarchy,
-    discrete: &Discrete<E>,
+fn solution<E: Unknown>(
+    options: &Options,
+    discrete: &Discretisation<E>,
     context: &Context,
 ) -> Result<Option<Vec<E::Nodal>>, Error> {
-    let (mut multigrid, _) = set_up(options, options.prolongation[0], hierarchy, discrete)?;
+    let mut multigrid = discrete.solver(options)?.multigrid;
     let solved = attempt(options, (discrete, &discrete.rhs), &mut multigrid, context)?;
     Ok(solved.map(|(x, _)| x).filter(|x| norm(x) > 0.0))
 }

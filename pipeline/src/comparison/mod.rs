@@ -8,6 +8,7 @@
 
 mod attempt;
 mod carried;
+#[cfg(feature = "pictures")]
 mod picture;
 mod plan;
 mod row;
@@ -66,15 +67,21 @@ impl Comparison {
         output::remove(folder, &FILES)
     }
 
-    /// Writes `compare.txt`, `compare.csv`, `compare.json` and `compare.svg`; returns
-    /// the files.
+    /// Writes `compare.txt`, `compare.csv`, `compare.json` and `compare.svg`, the last
+    /// with the feature `pictures` alone; returns the files.
     ///
     /// # Errors
     /// If the folder cannot be made or a file not be written.
     pub fn write(&self, folder: &Path) -> Result<Vec<PathBuf>, Error> {
         output::create_folder(folder)?;
         let json = serde_json::to_string_pretty(self).expect("a comparison has only string keys");
-        let contents = [self.text(), text::csv(&self.rows), json + "\n", picture::svg(&self.rows)];
+        let contents = [
+            self.text(),
+            text::csv(&self.rows),
+            json + "\n",
+            #[cfg(feature = "pictures")]
+            picture::svg(&self.rows),
+        ];
         let mut paths = Vec::new();
         for (name, content) in FILES.into_iter().zip(contents) {
             let path = folder.join(name);

@@ -6,8 +6,10 @@ use octruss_mesh::{AffineCorrection, InterfaceRows, Scheme};
 use octruss_solver::Smoother;
 use serde::Deserialize;
 
-use crate::recipe::{Auto, Choice, Named, Prolongations, Several, Sweeps};
-use crate::stages::{CoarseOperator, Solve};
+use octruss_fem::{CoarseOperator, Prolongations, Sweeps};
+
+use crate::recipe::{Auto, Choice, Named, Several};
+use crate::stages::Solve;
 
 /// How the coarse mesh is refined.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -90,15 +92,21 @@ impl Compare {
     /// The solves to compare, each with one prolongation.
     pub(super) fn variants(&self, solve: &Solve) -> Vec<Solve> {
         let mut variants = vec![solve.clone()];
-        vary(&mut variants, &self.smoother, |solve, one| solve.smoother = *one);
-        vary(&mut variants, &self.sweeps, |solve, one| solve.sweeps = *one);
+        vary(&mut variants, &self.smoother, |solve, one| solve.options.smoother = one.0);
+        vary(&mut variants, &self.sweeps, |solve, one| solve.options.sweeps = *one);
         let prolongations = self.prolongation.as_ref().unwrap_or(&solve.prolongation);
         vary(&mut variants, &Some(prolongations.clone()), |solve, one| {
             solve.prolongation = [*one].into();
         });
-        vary(&mut variants, &self.interface_rows, |solve, one| solve.interface_rows = *one);
-        vary(&mut variants, &self.affine_correction, |solve, one| solve.affine_correction = *one);
-        vary(&mut variants, &self.coarse_operator, |solve, one| solve.coarse_operator = *one);
+        vary(&mut variants, &self.interface_rows, |solve, one| {
+            solve.options.interface_rows = one.0
+        });
+        vary(&mut variants, &self.affine_correction, |solve, one| {
+            solve.options.affine_correction = one.0
+        });
+        vary(&mut variants, &self.coarse_operator, |solve, one| {
+            solve.options.coarse_operator = one.0
+        });
         variants
     }
 }

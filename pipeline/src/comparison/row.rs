@@ -2,19 +2,16 @@
 
 use std::time::Instant;
 
-use octruss_fem::Error;
-use octruss_mesh::Hierarchy;
+use octruss_fem::{Discretisation, Error, Options, Solver, TransferSummary, Unknown};
 use octruss_solver::{
-    Csr, CycleShape, Multigrid, Nodal, SolveReport, SystemEntry, geometric_mean, noise, reductions,
+    Csr, CycleShape, Entry, Multigrid, Nodal, SolveReport, geometric_mean, noise, reductions,
 };
 use serde::Serialize;
 
 use super::attempt::attempt;
 use super::plan::Geometry;
 use crate::recipe::Choice;
-use crate::stages::multigrid::{Discrete, set_up};
-use crate::stages::transfers::{Made, TransferFigures, transfer_figures};
-use crate::stages::{Context, Solve};
+use crate::stages::{Context, MethodFigures};
 
 /// A variant on a level. Iterations are those of conjugate gradients for noise on the
 /// right; reductions are of the energy norm of the error by the cycle alone.
@@ -103,41 +100,39 @@ const MEAN: std::ops::Range<usize> = 12..20;
 const ASYMPTOTIC: std::ops::Range<usize> = 32..40;
 
 /// What all variants on a level have in common.
-pub(super) struct Level<'a, E: SystemEntry> {
+pub(super) struct LevelStudy<'a, E: Unknown> {
     pub problem: &'static str,
     pub body: &'a str,
     pub geometry: Geometry,
-    pub hierarchy: &'a Hierarchy,
-    pub discrete: &'a Discrete<E>,
+    pub discrete: &'a Discretisation<'a, E>,
     pub repeats: usize,
     pub context: &'a Context<'a>,
 }
 
-impl<E: SystemEntry> Level<'_, E> {
+impl<E: Unknown> LevelStudy<'_, E> {
     /// Sets up and solves one variant.
     ///
     /// # Errors
     /// Whatever the solver reports, but that it did not converge.
-    pub fn row(&self, options: &Solve) -> Result<Row, Error> {
+    pub fn row(&self, options: &Options) -> Result<Row, Error> {
         let (mut setups, mut solves) = (Vec::new(), Vec::new());
-        let (mut multigrid, made, setup) = self.set_up(options)?;
-        let figures = transfer_figures(self.hierarchy, &made);
-        drop(made);
-        let cycle = *multigrid.options();
+        let (mut solver, setup) = self.set_up(options)?;
+        let figures = std::mem::take(&mut solver.transfers);
+        let cycle = *solver.multigrid.options();
         setups.push(setup);
         let rhs = self.right_hand_side();
-        let mut report = self.solve(&rhs, &mut multigrid, options)?;
+        let mut report = self.solve(&rhs, &mut solver.multigrid, options)?;
         for _ in 1..self.repeats {
             solves.extend(report.as_ref().map(|report| report.solve_seconds));
             // Never two at once.
-            drop(multigrid);
+            drop(solver);
             let again = self.set_up(options)?;
-            multigrid = again.0;
-            setups.push(again.2);
-            report = self.solve(&rhs, &mut multigrid, options)?;
+            solver = again.0;
+            setups.push(again.1);
+            report = self.solve(&rhs, &mut solver.multigrid, options)?;
         }
         solves.extend(report.as_ref().map(|report| report.solve_seconds));
-        let factors = reductions(&self.discrete.matrix, &mut multigrid, CYCLES)?;
+        let factors = reductions(&self.discrete.matrix, &mut solver.multigrid, CYCLES)?;
         let per_digit = |cost: f64| {
             let report = report.as_ref().filter(|report| report.relative_residual > 0.0)?;
             Some(cost * report.iterations as f64 / -report.relative_residual.log10())
@@ -149,29 +144,29 @@ impl<E: SystemEntry> Level<'_, E> {
             CycleShape::W => "W",
         };
         let worst =
-            |defect: fn(&TransferFigures) -> f64| figures.iter().map(defect).fold(0.0, f64::max);
+            |defect: fn(&TransferSummary) -> f64| figures.iter().map(defect).fold(0.0, f64::max);
         Ok(Row {
             problem: self.problem,
             body: self.body.into(),
             geometry: self.geometry.name(),
-            prolongation: options.prolongation[0].to_string(),
-            coarse_operator: options.coarse_operator.0.name(),
-            affine_correction: options.affine_correction.0.name(),
+            prolongation: options.prolongation.to_string(),
+            coarse_operator: options.coarse_operator.name(),
+            affine_correction: Choice::name(options.affine_correction),
             affine_defect: worst(|transfer| transfer.affine_defect),
             affine_defect_before: worst(|transfer| transfer.affine_defect_before),
-            interface_rows: options.interface_rows.0.name(),
+            interface_rows: Choice::name(options.interface_rows),
             cycle: format!("{}({},{})", shape, cycle.before, cycle.after),
-            smoother: options.method_figures(&multigrid, None).smoother_and_degree(),
-            level: self.hierarchy.transfers(),
+            smoother: MethodFigures::new(options, &solver, None).smoother_and_degree(),
+            level: self.discrete.hierarchy.transfers(),
             unknowns: self.discrete.unknowns(),
             iterations: report.as_ref().map(|report| report.iterations),
             mean_reduction: geometric_mean(&factors[MEAN]),
             asymptotic_reduction: geometric_mean(&factors[ASYMPTOTIC]),
-            operator_complexity: multigrid.operator_complexity(),
+            operator_complexity: solver.multigrid.operator_complexity(),
             bytes_per_digit: per_digit(
-                (multigrid.cycle_bytes() + iteration_bytes(&self.discrete.matrix)) as f64,
+                (solver.multigrid.cycle_bytes() + iteration_bytes(&self.discrete.matrix)) as f64,
             ),
-            work_per_digit: per_digit(multigrid.work_units() + 1.0),
+            work_per_digit: per_digit(solver.multigrid.work_units() + 1.0),
             setup_seconds,
             solve_seconds,
             setup_spread,
@@ -179,14 +174,13 @@ impl<E: SystemEntry> Level<'_, E> {
         })
     }
 
-    /// The multigrid, what it was made from, and the time of it all, coarse matrices
-    /// that are re-assembled included.
-    fn set_up(&self, options: &Solve) -> Result<(Multigrid<E>, Vec<Made<'_>>, f64), Error> {
+    /// What solves it, and the time of it all, coarse matrices that are re-assembled
+    /// included.
+    fn set_up(&self, options: &Options) -> Result<(Solver<'_, E>, f64), Error> {
         let start = Instant::now();
-        let (multigrid, made) =
-            set_up(options, options.prolongation[0], self.hierarchy, self.discrete)?;
-        let reassembly = if options.reassembles() { self.discrete.coarse_seconds } else { 0.0 };
-        Ok((multigrid, made, reassembly + start.elapsed().as_secs_f64()))
+        let solver = self.discrete.solver(options)?;
+        let reassembly = if options.reassembles() { self.discrete.reassembly_seconds } else { 0.0 };
+        Ok((solver, reassembly + start.elapsed().as_secs_f64()))
     }
 
     /// Noise in the free directions.
@@ -203,7 +197,7 @@ impl<E: SystemEntry> Level<'_, E> {
         &self,
         rhs: &[E::Nodal],
         multigrid: &mut Multigrid<E>,
-        options: &Solve,
+        options: &Options,
     ) -> Result<Option<SolveReport>, Error> {
         let solved = attempt(options, (self.discrete, rhs), multigrid, self.context)?;
         Ok(solved.map(|(_, report)| report))
@@ -212,7 +206,7 @@ impl<E: SystemEntry> Level<'_, E> {
 
 /// The bytes of an iteration of conjugate gradients beside the cycle: its product, and
 /// thirteen passes over vectors (product 2, scalar product 2, direction 3, advance 6).
-fn iteration_bytes<E: SystemEntry>(matrix: &Csr<E>) -> usize {
+fn iteration_bytes<E: Entry>(matrix: &Csr<E>) -> usize {
     matrix.bytes() + 13 * matrix.rows() * size_of::<E::Nodal>()
 }
 

@@ -4,21 +4,20 @@ use std::path::Path;
 use std::sync::atomic::AtomicBool;
 use std::time::Instant;
 
-use octruss_fem::Error as SolverError;
+use octruss_fem::{Discretisation, Error as FemError, Problem as FemProblem};
 use octruss_mesh::{Hierarchy, Scheme};
-use octruss_solver::SystemEntry;
 
 use super::Comparison;
 use super::carried::{self, Carried};
 use super::plan::{Compare, Geometry};
-use super::row::{Level, Row};
+use super::row::{LevelStudy, Row};
 use super::verdict::verdict;
 use crate::error::Error;
-use crate::progress::{Listener, News, Progress};
+use crate::observer::{Event, Observer, StagePlace};
 use crate::recipe::{Choice, ConfigError, Named, Place, Recipe};
 use crate::run::run_into;
-use crate::stages::multigrid::Discrete;
-use crate::stages::{Context, Problem, Solve, Stage, Subdivide, biharmonic, elasticity, poisson};
+use crate::stages::solve::{biharmonic, elasticity, poisson};
+use crate::stages::{Context, Problem, Solve, Stage, Subdivide};
 
 /// Compares what a config's table `[compare]` lists, on the problem of its first stage
 /// `solve` and the levels of its first stage `subdivide`; stages between and after
@@ -29,22 +28,18 @@ use crate::stages::{Context, Problem, Solve, Stage, Subdivide, biharmonic, elast
 /// a stage; [`Error::Stopped`] once `stop` is true.
 pub fn compare(
     recipe: &Recipe,
-    listener: &Listener,
+    observer: &dyn Observer,
     stop: &AtomicBool,
 ) -> Result<Comparison, Error> {
     let start = Instant::now();
-    let study = Study::new(recipe, listener, stop)?;
+    let study = Study::new(recipe, observer, stop)?;
     let (mut rows, mut carried) = (Vec::new(), Vec::new());
     for geometry in study.plan.geometries(study.subdivide.scheme.0) {
         let mut hierarchy = study.hierarchy(geometry)?;
         for level in &study.levels {
             // What is finer is not needed any more.
             hierarchy = hierarchy.truncated(*level + 1);
-            let (more_rows, more_carried) = match study.solve.problem {
-                Problem::Poisson => study.level(&hierarchy, geometry, poisson::discretise)?,
-                Problem::Biharmonic => study.level(&hierarchy, geometry, biharmonic::discretise)?,
-                Problem::Elasticity => study.level(&hierarchy, geometry, elasticity::discretise)?,
-            };
+            let (more_rows, more_carried) = study.on_level(&hierarchy, geometry)?;
             rows.extend(more_rows);
             carried.extend(more_carried);
         }
@@ -74,14 +69,14 @@ struct Study<'a> {
     body: String,
     /// Finest first.
     levels: Vec<usize>,
-    listener: &'a Listener<'a>,
+    observer: &'a dyn Observer,
     stop: &'a AtomicBool,
 }
 
 impl<'a> Study<'a> {
     fn new(
         recipe: &'a Recipe,
-        listener: &'a Listener,
+        observer: &'a dyn Observer,
         stop: &'a AtomicBool,
     ) -> Result<Self, Error> {
         let refuse = |message: String| {
@@ -121,7 +116,7 @@ impl<'a> Study<'a> {
             solve,
             body: body.unwrap_or_default().to_string_lossy().into(),
             levels,
-            listener,
+            observer,
             stop,
         })
     }
@@ -138,85 +133,97 @@ impl<'a> Study<'a> {
         stages.push(Stage::Subdivide(refined));
         let folders = [&*self.recipe.folder, Path::new("")];
         let source = Some(&self.recipe.source);
-        let who = (self.listener, self.stop);
+        let who = (self.observer, self.stop);
         let state = run_into(&mut Vec::new(), &stages, source, folders, who)?;
-        Ok(state.hierarchy.expect("a stage `subdivide` makes levels"))
+        Ok(state.mesh.into_levels().expect("a stage `subdivide` makes levels"))
     }
 
     /// All variants on the finest level of a hierarchy, and Chang's test.
-    fn level<E: SystemEntry>(
+    fn on_level(
         &self,
         hierarchy: &Hierarchy,
         geometry: Geometry,
-        discretise: impl Fn(&Solve, &Hierarchy, &Context) -> Result<Discrete<E>, Error>,
     ) -> Result<(Vec<Row>, Vec<Carried>), Error> {
-        let number = hierarchy.transfers();
-        let label = format!("{} level {number}", geometry.name());
-        let progress = Progress { stage: 1, stages: 1, label: &label, listener: self.listener };
-        let source = Some(&self.recipe.source);
-        let folders = [&*self.recipe.folder, Path::new("")];
-        let [input_folder, output_folder] = folders;
-        let context = Context { input_folder, output_folder, source, progress, stop: self.stop };
-        context.progress.tell(News::Started);
+        let label = format!("{} level {}", geometry.name(), hierarchy.transfers());
+        let context = Context {
+            input_folder: &self.recipe.folder,
+            output_folder: Path::new(""),
+            source: Some(&self.recipe.source),
+            stage: StagePlace { number: 1, of: 1, label },
+            observer: self.observer,
+            stop: self.stop,
+        };
+        let mesh = hierarchy.finest().mesh.raw();
+        let levels = (hierarchy, geometry);
+        match &self.solve.problem {
+            Problem::Poisson(keys) => {
+                self.compare(levels, &poisson::problem(keys, mesh, &context)?, &context)
+            }
+            Problem::Biharmonic(keys) => {
+                self.compare(levels, &biharmonic::problem(keys, mesh, &context)?, &context)
+            }
+            Problem::Elasticity(keys) => {
+                self.compare(levels, &elasticity::problem(keys, mesh, &context)?, &context)
+            }
+        }
+    }
+
+    fn compare<P: FemProblem>(
+        &self,
+        (hierarchy, geometry): (&Hierarchy, Geometry),
+        problem: &P,
+        context: &Context,
+    ) -> Result<(Vec<Row>, Vec<Carried>), Error> {
+        context.tell(Event::StageBegan);
         let start = Instant::now();
         let variants = self.plan.variants(self.solve);
-        let reassembling = variants.iter().find(|variant| variant.reassembles());
-        let problem = discretise(reassembling.unwrap_or(self.solve), hierarchy, &context)?;
-        let level = Level {
-            problem: self.solve.problem.name(),
+        let reassembling = variants.iter().find(|variant| variant.options.reassembles());
+        let options = &reassembling.unwrap_or(self.solve).options;
+        let discretise = |hierarchy, options| {
+            Discretisation::new(hierarchy, problem, options)
+                .map_err(|source| context.solver("assembly", source))
+        };
+        let discrete = discretise(hierarchy, options)?;
+        let level = LevelStudy {
+            problem: self.solve.problem.equation().name(),
             body: &self.body,
             geometry,
-            hierarchy,
-            discrete: &problem,
-            context: &context,
+            discrete: &discrete,
+            context,
             repeats: self.plan.repeats(),
         };
         let mut rows = Vec::new();
         for (index, variant) in variants.iter().enumerate() {
             if context.asked_to_stop() {
-                return Err(Error::Stopped { stage: label });
+                return Err(Error::Stopped { stage: context.stage.label.clone() });
             }
-            let what = format!("{} prolongation", variant.prolongation[0]);
-            rows.push(context.progress.step(index + 1, variants.len(), &what, || {
-                let row =
-                    level.row(variant).map_err(|source| self.failed(source, &what, &context))?;
+            let options = variant.with(variant.prolongation[0]);
+            let what = format!("{} prolongation", options.prolongation);
+            rows.push(context.step(index + 1, variants.len(), &what, || {
+                let row = level.row(&options).map_err(|source| failed(source, &what, context))?;
                 let result = row.result();
                 Ok::<_, Error>((row, result))
             })?);
         }
-        let carried = self.carried(hierarchy, geometry, &problem, (&discretise, &context))?;
-        let summary = format!("{} variants", rows.len());
-        let seconds = start.elapsed().as_secs_f64();
-        context.progress.tell(News::Finished { summary, seconds });
-        Ok((rows, carried))
-    }
-
-    fn failed(&self, source: SolverError, what: &str, context: &Context) -> Error {
-        match source {
-            SolverError::Solver(octruss_solver::Error::Stopped(_)) => {
-                Error::Stopped { stage: context.progress.label.into() }
-            }
-            source => context.solver(what, source),
-        }
-    }
-
-    fn carried<E: SystemEntry>(
-        &self,
-        hierarchy: &Hierarchy,
-        geometry: Geometry,
-        problem: &Discrete<E>,
-        (discretise, context): (
-            &impl Fn(&Solve, &Hierarchy, &Context) -> Result<Discrete<E>, Error>,
-            &Context,
-        ),
-    ) -> Result<Vec<Carried>, Error> {
         let coarse = hierarchy.truncated(hierarchy.transfers());
-        let coarse_problem = discretise(self.solve, &coarse, context)?;
+        let coarse = discretise(&coarse, &self.solve.options)?;
         let mut schemes = vec![Scheme::Linear, self.subdivide.scheme()];
         schemes.dedup();
-        let levels = (hierarchy, geometry);
-        let below = (&coarse, &coarse_problem);
-        carried::carry(self.solve, &schemes, levels, problem, below, context)
-            .map_err(|source| self.failed(source, "a solution to carry up", context))
+        let options = self.solve.with(self.solve.prolongation[0]);
+        let carried = carried::carry(&options, &schemes, geometry, [&coarse, &discrete], context)
+            .map_err(|source| failed(source, "a solution to carry up", context))?;
+        let summary = format!("{} variants", rows.len());
+        let seconds = start.elapsed().as_secs_f64();
+        context.tell(Event::StageDone { summary, seconds });
+        Ok((rows, carried))
+    }
+}
+
+fn failed(source: FemError, what: &str, context: &Context) -> Error {
+    match source {
+        FemError::Solver(octruss_solver::Error::Stopped(_)) => {
+            Error::Stopped { stage: context.stage.label.clone() }
+        }
+        source => context.solver(what, source),
     }
 }

@@ -5,7 +5,7 @@ use super::Fault;
 use super::code::{Binary, Op, STACK, Unary};
 use super::names::{CONSTANTS, COORDINATES, FUNCTIONS, values};
 use super::tokens::{Kind, Token};
-use crate::recipe::suggestion;
+use octruss_base::suggestion::suggestion;
 
 /// Parentheses and signs may nest this deep, so that no text exhausts the
 /// program's own stack.

@@ -3,8 +3,8 @@
 use serde::{Deserialize, Serialize};
 
 use super::error::{ConfigError, Place};
-use super::nearest::suggestion;
 use crate::report::Report;
+use octruss_base::suggestion::suggestion;
 
 /// Bounds on one number of the report.
 #[derive(Debug, Clone, PartialEq)]

@@ -5,9 +5,9 @@ use std::ops::Range;
 use toml::de::{DeValue, Error};
 
 use super::error::ConfigError;
-use super::nearest::suggestion;
-use super::override_::Tree;
 use super::source::Source;
+use super::tree::Tree;
+use octruss_base::suggestion::suggestion;
 
 /// An error of deserialisation with its place, its key and, for an unknown
 /// name, the nearest valid one. `stage` is the label of the stage being read.
@@ -64,4 +64,120 @@ fn in_plain_words(message: &str) -> String {
         ("floating point ", "number "),
     ];
     words.iter().fold(message.trim_end().into(), |text, (rust, plain)| text.replace(rust, plain))
+}
+
+#[cfg(test)]
+mod tests {
+    use std::collections::BTreeMap;
+    use std::num::NonZeroU8;
+
+    use serde::Deserialize;
+
+    use super::{in_plain_words, quoted_names};
+    use crate::comparison::Compare;
+
+    #[derive(Debug, Default, Deserialize)]
+    #[serde(deny_unknown_fields, default)]
+    #[allow(dead_code, reason = "only the errors of reading it matter")]
+    struct Values {
+        nonzero: Option<NonZeroU8>,
+        byte: u8,
+        small: u32,
+        count: usize,
+        number: f64,
+        flag: bool,
+        list: Vec<u8>,
+        table: BTreeMap<String, u8>,
+        compare: Compare,
+        choice: Option<Choice>,
+        needy: Option<Needy>,
+    }
+
+    #[derive(Debug, Deserialize)]
+    #[serde(rename_all = "kebab-case")]
+    enum Choice {
+        Left,
+        Right,
+    }
+
+    #[derive(Debug, Deserialize)]
+    #[serde(rename_all = "kebab-case")]
+    #[allow(dead_code, reason = "only the errors of reading it matter")]
+    struct Needy {
+        needed: u8,
+    }
+
+    fn said(text: &str) -> String {
+        toml::from_str::<Values>(text).unwrap_err().message().trim_end().into()
+    }
+
+    /// `explain` takes messages of serde and toml apart. Where an upgrade words one
+    /// anew, this fails, and the words that `explain` looks for are to follow.
+    #[test]
+    fn serde_words_its_errors_as_they_are_taken_apart() {
+        let wordings = [
+            ("needy = {}", "missing field `needed`", "missing field `needed`"),
+            (
+                "nonzero = 0",
+                "invalid value: integer `0`, expected a nonzero u8",
+                "found integer `0`, expected a whole number from 1 to 255",
+            ),
+            (
+                "byte = 256",
+                "invalid value: integer `256`, expected u8",
+                "found integer `256`, expected a whole number from 0 to 255",
+            ),
+            (
+                "small = -1",
+                "invalid value: integer `-1`, expected u32",
+                "found integer `-1`, expected a whole number, 0 or more",
+            ),
+            (
+                "count = 1.5",
+                "invalid type: floating point `1.5`, expected usize",
+                "found number `1.5`, expected a whole number, 0 or more",
+            ),
+            (
+                "number = true",
+                "invalid type: boolean `true`, expected f64",
+                "found boolean `true`, expected a number",
+            ),
+            (
+                "flag = \"on\"",
+                "invalid type: string \"on\", expected a boolean",
+                "found string \"on\", expected true or false",
+            ),
+            (
+                "list = 1",
+                "invalid type: integer `1`, expected a sequence",
+                "found integer `1`, expected a list",
+            ),
+            (
+                "table = 1",
+                "invalid type: integer `1`, expected a map",
+                "found integer `1`, expected a table",
+            ),
+            (
+                "compare = 1",
+                "invalid type: integer `1`, expected struct Compare",
+                "found integer `1`, expected a table [compare]",
+            ),
+        ];
+        for (text, raw, plain) in wordings {
+            let said = said(text);
+            assert_eq!(said, raw, "serde's wording changed: `explain` relies on it");
+            assert_eq!(in_plain_words(&said), plain);
+        }
+    }
+
+    /// The first name is the one found, the others are those that are valid.
+    #[test]
+    fn serde_lists_names_as_they_are_taken_apart() {
+        let unknown = said("nunber = 1");
+        assert!(unknown.starts_with("unknown field "), "{unknown}");
+        assert_eq!(quoted_names(&unknown)[..3], ["nunber", "nonzero", "byte"], "{unknown}");
+        let unknown = said("choice = \"middle\"");
+        assert!(unknown.starts_with("unknown variant "), "{unknown}");
+        assert_eq!(quoted_names(&unknown), ["middle", "left", "right"], "{unknown}");
+    }
 }

@@ -1,6 +1,6 @@
 //! What a stage is called: by overrides, reports, expectations and errors.
 
-use super::override_::Tree;
+use super::tree::Tree;
 
 /// The label of each stage of an unread list. A stage without a kind is `?`.
 pub fn labels_of_trees(stages: &[Tree]) -> Vec<String> {

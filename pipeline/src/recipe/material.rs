@@ -2,25 +2,25 @@
 
 use toml::Spanned;
 
-use super::nearest::suggestion;
 use super::per_region::PerRegion;
 use super::value::Value;
 use super::value_or::ValueOr;
+use octruss_base::suggestion::suggestion;
 
 /// An isotropic elastic material.
 #[derive(Debug, Clone, PartialEq, serde::Deserialize)]
 #[serde(deny_unknown_fields, rename_all = "kebab-case")]
-pub struct Material {
+pub struct MaterialKeys {
     /// Young's modulus, above 0.
     pub young: Value,
     /// Poisson's ratio, above −1 and below 1/2.
     pub poisson: Value,
     /// Mass per unit of volume, 0 where none is given; only gravity asks for it.
-    #[serde(default = "Material::massless")]
+    #[serde(default = "MaterialKeys::massless")]
     pub density: Value,
 }
 
-impl Material {
+impl MaterialKeys {
     const KEYS: [&'static str; 3] = ["young", "poisson", "density"];
 
     fn massless() -> Value {

@@ -7,23 +7,20 @@
 //! Every value keeps its place in the text up to the end, so that each error
 //! points at a file, a line and a key.
 
-mod auto;
-mod choice;
 mod error;
 mod expect;
 mod explain;
 mod labels;
 mod material;
 mod min_quality;
-mod nearest;
-mod override_;
+mod option_names;
+mod overrides;
 mod parse;
 mod per_region;
-mod prolongation;
 mod several;
-mod solver_choice;
+mod solve_keys;
 mod source;
-mod sweeps;
+mod tree;
 mod value;
 mod value_or;
 
@@ -31,23 +28,24 @@ use std::path::{Path, PathBuf};
 
 use toml::Spanned;
 
-pub use auto::Auto;
-pub use choice::{Choice, Named, SchemeName};
 pub use error::{ConfigError, Place};
 pub use expect::{Bounds, Expectation, Outcome, compare};
-pub use material::Material;
+pub use material::MaterialKeys;
 pub use min_quality::MinQuality;
-pub use nearest::suggestion;
+pub use octruss_base::choice::{Auto, Choice, Named};
+pub use octruss_base::suggestion::suggestion;
+pub use option_names::option_names;
 pub use per_region::{PerRegion, Regional};
-pub use prolongation::{Prolongation, Prolongations};
 pub use several::Several;
 pub use source::Source;
-pub use sweeps::Sweeps;
-pub use value::{Degrees, Ends, Fraction, Positive, Value, VectorValue};
+pub use value::{Degrees, Ends, Fraction, Value, VectorValue};
 pub use value_or::{ValueOr, ValueOrVector};
 
 use crate::comparison::Compare;
 use crate::stages::Stage;
+
+/// A scheme with its usual parameters, by its name.
+pub type SchemeName = Named<octruss_mesh::Scheme>;
 
 /// A named list of stages with expected numbers.
 #[derive(Debug, Clone, PartialEq)]

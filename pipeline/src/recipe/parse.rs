@@ -1,6 +1,7 @@
 //! From the text of a config to a recipe.
 
 use std::collections::BTreeMap;
+use std::ops::Range;
 use std::path::Path;
 
 use serde::Deserialize;
@@ -12,11 +13,13 @@ use super::error::ConfigError;
 use super::expect::{Bounds, Expectation};
 use super::explain::explain;
 use super::labels::labels_of_trees;
-use super::override_::{self, Tree};
+use super::overrides::apply;
+use super::solve_keys::sort_keys;
 use super::source::Source;
+use super::tree::Tree;
 use super::{Recipe, suggestion};
 use crate::comparison::Compare;
-use crate::stages::Stage;
+use crate::stages::{Contradiction, Stage, Where};
 
 /// All of a config but its stages.
 #[derive(Deserialize)]
@@ -38,7 +41,7 @@ pub fn parse(path: &Path, text: String, overrides: &[String]) -> Result<Recipe, 
         .map_err(|error| source.error(&error.span().unwrap_or(0..0), error.message().trim_end()))?;
     let mut root = Spanned::new(document.span(), DeValue::Table(document.into_inner()));
     for given in source.overrides() {
-        override_::apply(&mut root, given, &source)?;
+        apply(&mut root, given, &source)?;
     }
     let header = read_header(&root, &source)?;
     let stages = read_stages(&root, &source)?;
@@ -68,17 +71,16 @@ fn read_stages(root: &Tree, source: &Source) -> Result<Vec<Stage>, ConfigError> 
     let labels = labels_of_trees(list);
     let mut stages: Vec<Stage> = Vec::new();
     for (tree, label) in list.iter().zip(&labels) {
-        refuse_misplaced_keys(tree, label, source)?;
-        let stage: Stage = deserialize(by_kind(tree, source)?, Some(label), source)?;
+        let stage: Stage = deserialize(by_kind(tree, label, source)?, Some(label), source)?;
         if let Some(needed) = stage.needs()
             && !stages.iter().any(|before| before.kind() == needed)
         {
             let message = format!("stage `{label}` needs a stage `{needed}` before it");
             return Err(source.error(&tree.span(), message));
         }
-        if let Some((span, contradiction)) = stage.contradiction() {
-            let message = format!("stage `{label}`: {contradiction}");
-            return Err(source.error(&span.unwrap_or(tree.span()), message));
+        if let Some(Contradiction { place, message }) = stage.contradiction() {
+            let message = format!("stage `{label}`: {message}");
+            return Err(source.error(&place_of(place, tree), message));
         }
         stages.push(stage);
     }
@@ -102,26 +104,22 @@ fn stage_list<'t, 'a>(root: &'t Tree<'a>, source: &Source) -> Result<&'t DeArray
     }
 }
 
-/// Refuses keys that this kind of stage knows, but not with the other options
-/// given, before their values are read.
-fn refuse_misplaced_keys(stage: &Tree, label: &str, source: &Source) -> Result<(), ConfigError> {
-    let DeValue::Table(options) = stage.get_ref() else { return Ok(()) };
-    let text = |name: &str| match options.get(name)?.get_ref() {
-        DeValue::String(text) => Some(text.as_ref()),
-        _ => None,
+/// Where in the text something is that does not go together.
+fn place_of(place: Where, stage: &Tree) -> Range<usize> {
+    let key_span = |key: &str| {
+        let DeValue::Table(options) = stage.get_ref() else { return None };
+        options.keys().find(|given| given.get_ref() == key).map(Spanned::span)
     };
-    for key in options.keys() {
-        let kind = text("kind").unwrap_or_default();
-        if let Some(message) = Stage::misplaced(kind, key.get_ref(), text) {
-            return Err(source.error(&key.span(), format!("stage `{label}`: {message}")));
-        }
+    match place {
+        Where::Span(span) => span,
+        Where::Key(key) => key_span(key).unwrap_or(stage.span()),
+        Where::Stage => stage.span(),
     }
-    Ok(())
 }
 
 /// Turns `{ kind = K, … }` into `{ K = { … } }`, which is how serde spells a
 /// choice without losing the places of what is inside.
-fn by_kind<'a>(stage: &Tree<'a>, source: &Source) -> Result<Tree<'a>, ConfigError> {
+fn by_kind<'a>(stage: &Tree<'a>, label: &str, source: &Source) -> Result<Tree<'a>, ConfigError> {
     let DeValue::Table(mut options) = stage.get_ref().clone() else {
         return Err(source.error(&stage.span(), "a stage is a table with a `kind`"));
     };
@@ -136,6 +134,9 @@ fn by_kind<'a>(stage: &Tree<'a>, source: &Source) -> Result<Tree<'a>, ConfigErro
     if !Stage::KINDS.contains(&name.as_ref()) {
         let message = format!("unknown kind of stage `{name}`{}", suggestion(&name, &Stage::KINDS));
         return Err(source.error(&span, message));
+    }
+    if name == "solve" {
+        options = sort_keys(options, stage.span(), label, source)?;
     }
     let options = Spanned::new(stage.span(), DeValue::Table(options));
     let choice = DeTable::from_iter([(Spanned::new(span.clone(), name), options)]);

@@ -9,7 +9,7 @@ use serde::de::{
 };
 use toml::Spanned;
 
-use super::material::Material;
+use super::material::MaterialKeys;
 use super::value::{Value, VectorValue};
 use super::value_or::ValueOr;
 
@@ -57,11 +57,11 @@ impl Regional for VectorValue {
     }
 }
 
-impl Regional for Material {
+impl Regional for MaterialKeys {
     const WHAT: &'static str = "a table with `young`, `poisson` and perhaps `density`";
     type Entry = ValueOr<Self>;
     fn from_table(table: Vec<(Spanned<String>, ValueOr<Self>)>) -> Result<PerRegion<Self>, String> {
-        Material::one_or_by_region(table)
+        MaterialKeys::one_or_by_region(table)
     }
 }
 

@@ -1,6 +1,7 @@
 //! Numbers that a config may give: checked when read.
 
 use std::fmt;
+use std::str::FromStr;
 
 use octruss_fem::{Scalar, Vector};
 use serde::de::{Deserialize, Deserializer, Error, Visitor};
@@ -20,11 +21,6 @@ pub enum Value {
 #[derive(Debug, Clone, PartialEq, serde::Deserialize)]
 #[serde(try_from = "Vec<Value>")]
 pub struct VectorValue(pub [Value; 3]);
-
-/// A finite number above zero.
-#[derive(Debug, Clone, Copy, PartialEq, serde::Deserialize)]
-#[serde(try_from = "f64")]
-pub struct Positive(pub f64);
 
 /// An angle from 0 to 180 degrees.
 #[derive(Debug, Clone, Copy, PartialEq, serde::Deserialize)]
@@ -51,15 +47,6 @@ impl TryFrom<Vec<u32>> for Ends {
     }
 }
 
-impl TryFrom<f64> for Positive {
-    type Error = String;
-
-    fn try_from(number: f64) -> Result<Self, String> {
-        let fits = number > 0.0 && number.is_finite();
-        fits.then_some(Self(number)).ok_or(format!("expected a number above 0, found {number}"))
-    }
-}
-
 impl TryFrom<f64> for Degrees {
     type Error = String;
 
@@ -68,6 +55,15 @@ impl TryFrom<f64> for Degrees {
             .contains(&number)
             .then_some(Self(number))
             .ok_or(format!("expected an angle from 0 to 180 degrees, found {number}"))
+    }
+}
+
+impl FromStr for Degrees {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        let number: f64 = text.parse().map_err(|_| "expected a number of degrees".to_string())?;
+        Self::try_from(number)
     }
 }
 

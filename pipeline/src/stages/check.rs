@@ -9,6 +9,7 @@ use super::corner_fields::CornerFields;
 use crate::describe::FindingReport;
 use crate::error::Error;
 use crate::input_numbers::InputNumbers;
+use crate::mesh_phase::MeshPhase;
 use crate::state::State;
 
 /// Refuses a mesh that refining and solving cannot live with; drops vertices
@@ -35,7 +36,7 @@ pub struct CheckReport {
 
 impl Check {
     pub(super) fn run(&self, state: &mut State, context: &Context) -> Result<CheckReport, Error> {
-        let dataset = state.dataset.take().ok_or_else(|| context.order("import"))?;
+        let dataset = context.needed(state.mesh.take_imported())?;
         let options = CheckOptions { reorient: self.reorient };
         let corners = CornerFields::new(&dataset);
         state.input_numbers = InputNumbers::of(&dataset);
@@ -60,7 +61,7 @@ impl Check {
             findings: findings.iter().map(FindingReport::from).collect(),
             messages: findings.iter().map(Finding::to_string).collect(),
         };
-        state.mesh = Some(mesh);
+        state.mesh = MeshPhase::Checked(mesh);
         Ok(report)
     }
 }

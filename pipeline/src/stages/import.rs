@@ -7,6 +7,7 @@ use serde::{Deserialize, Serialize};
 use super::Context;
 use crate::amount::short;
 use crate::error::Error;
+use crate::mesh_phase::MeshPhase;
 use crate::state::State;
 
 /// Reads a mesh file: Gmsh `.msh`, VTK `.vtu` or `.vtk`, Medit `.mesh`.
@@ -41,7 +42,7 @@ impl Import {
             tets: dataset.mesh.tets.len(),
             notes: dataset.notes.clone(),
         };
-        *state = State { path, dataset: Some(dataset), ..State::default() };
+        *state = State { path, mesh: MeshPhase::Imported(dataset), ..State::default() };
         Ok(report)
     }
 }

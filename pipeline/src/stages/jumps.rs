@@ -29,7 +29,7 @@ pub(super) fn start_jumps(
     state: &mut State,
     context: &Context,
 ) -> Result<Vec<String>, Error> {
-    let Some(mesh) = state.finest() else { return Ok(Vec::new()) };
+    let mesh = context.needed(state.mesh.finest())?;
     let mut notes = Vec::new();
     let mut started = Vec::new();
     let sides = state.sided_fields.sides.clone();

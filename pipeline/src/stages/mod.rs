@@ -1,58 +1,50 @@
 //! The steps of a run: one file each, with its options, what it does and what
 //! it reports.
 
-pub(crate) mod biharmonic;
-mod body;
 mod carried_fields;
 mod check;
+mod contradiction;
 mod corner_fields;
-pub(crate) mod elasticity;
-mod fixed;
-mod full;
 mod groups;
 mod import;
 mod jumps;
-mod method;
-pub(crate) mod multigrid;
-mod on_surface;
-pub(crate) mod poisson;
-mod scalar;
-mod solve;
+pub(crate) mod solve;
 mod stale;
 mod subdivide;
 mod subdivide_report;
-mod traffic;
-pub(crate) mod transfers;
-mod unfinished;
 mod write;
 
-use std::ops::{ControlFlow, Range};
+use std::ops::ControlFlow;
 use std::path::Path;
 use std::sync::atomic::{AtomicBool, Ordering};
+use std::time::Instant;
 
 use serde::{Deserialize, Serialize};
 use toml::Spanned;
 
-pub use body::{BodyFigures, Force, ForceFigures, SurfaceForce};
 pub use carried_fields::{CarriedFields, FieldFigures};
 pub use check::{Check, CheckReport};
-pub use fixed::Fixed;
-pub use full::FullTransfer;
+pub use contradiction::{Contradiction, Where};
 pub use import::{Import, ImportReport};
-pub use method::{Cycle, Method, MethodFigures};
-pub use multigrid::SolveFigures;
-pub use on_surface::{OnSurface, Robin, Springs, VectorOnSurface};
-pub use solve::{Problem, Solve, SolveReport};
+pub use solve::biharmonic::BiharmonicKeys;
+pub use solve::body::{BodyFigures, Force, ForceFigures, SurfaceForce};
+pub use solve::elasticity::ElasticityKeys;
+pub use solve::figures::{MethodFigures, SolveFigures, TransferFigures};
+pub use solve::fixed::Fixed;
+pub use solve::on_surface::{OnSurface, RobinOnSurface, Springs, VectorOnSurface};
+pub use solve::poisson::PoissonKeys;
+pub use solve::problem::{Equation, Problem};
+pub use solve::stage::{Solve, SolveStageReport};
+pub use solve::traffic::{KernelFigures, TrafficFigures};
 pub use subdivide::Subdivide;
 pub use subdivide_report::{
     GuardFigures, LevelReport, MarkingFigures, ReasonCounts, Strata, SubdivideReport,
 };
-pub use traffic::{KernelFigures, TrafficFigures};
-pub use transfers::{CoarseOperator, TransferFigures};
 pub use write::{Write, WriteReport};
 
 use crate::error::Error;
-use crate::progress::{News, Progress};
+use crate::mesh_phase::Missing;
+use crate::observer::{Event, Observer, StagePlace};
 use crate::recipe::Source;
 use crate::state::State;
 
@@ -83,7 +75,7 @@ pub enum Done {
     /// Of [`Stage::Subdivide`].
     Subdivide(Box<SubdivideReport>),
     /// Of [`Stage::Solve`].
-    Solve(SolveReport),
+    Solve(SolveStageReport),
     /// Of [`Stage::Write`].
     Write(WriteReport),
 }
@@ -96,8 +88,10 @@ pub struct Context<'a> {
     pub output_folder: &'a Path,
     /// The config, for places in messages; none if the stages come from elsewhere.
     pub source: Option<&'a Source>,
+    /// The stage.
+    pub stage: StagePlace,
     /// Whom to tell how far it is.
-    pub progress: Progress<'a>,
+    pub observer: &'a dyn Observer,
     /// Whether to end as soon as possible.
     pub stop: &'a AtomicBool,
 }
@@ -108,6 +102,31 @@ impl Context<'_> {
         self.stop.load(Ordering::Relaxed)
     }
 
+    /// Tells the observer.
+    pub fn tell(&self, event: Event) {
+        self.observer.hear(&self.stage, &event);
+    }
+
+    /// Does one step, whose work returns its result and that result in words,
+    /// and tells about its begin and its end.
+    ///
+    /// # Errors
+    /// As the work.
+    pub fn step<T, E>(
+        &self,
+        number: usize,
+        of: usize,
+        what: &str,
+        work: impl FnOnce() -> Result<(T, String), E>,
+    ) -> Result<T, E> {
+        self.tell(Event::StepBegan { number, of, what: what.into() });
+        let start = Instant::now();
+        let (value, result) = work()?;
+        let seconds = start.elapsed().as_secs_f64();
+        self.tell(Event::StepDone { what: what.into(), result, seconds });
+        Ok(value)
+    }
+
     /// What an iteration asks: whether to end.
     pub(crate) fn go_on(&self) -> ControlFlow<()> {
         if self.asked_to_stop() { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
@@ -115,17 +134,17 @@ impl Context<'_> {
 
     /// Tells what the user should know, quiet or not.
     fn remark(&self, notes: &[String]) {
-        notes.iter().for_each(|note| self.progress.tell(News::Remark(note.clone())));
+        notes.iter().for_each(|note| self.tell(Event::Remark(note.clone())));
     }
 
     /// An error about something this stage asks for.
     fn request(&self, message: String) -> Error {
-        Error::Request { stage: self.progress.label.into(), message }
+        Error::Request { stage: self.stage.label.clone(), message }
     }
 
     /// An error about a name that the config gives and the mesh does not have.
     fn name_error(&self, name: &Spanned<String>, message: &str) -> Error {
-        let message = format!("stage `{}`: {message}", self.progress.label);
+        let message = format!("stage `{}`: {message}", self.stage.label);
         match self.source {
             Some(source) => Error::Name(source.error(&name.span(), message)),
             None => self.request(message),
@@ -134,12 +153,18 @@ impl Context<'_> {
 
     /// An error of the solver, with what it was doing.
     pub(crate) fn solver(&self, what: &str, source: octruss_fem::Error) -> Error {
-        Error::Solve { stage: self.progress.label.into(), what: what.into(), source }
+        Error::Solve { stage: self.stage.label.clone(), what: what.into(), source }
     }
 
-    /// An error about a stage that should have run before.
-    fn order(&self, needs: &'static str) -> Error {
-        Error::Order { stage: self.progress.label.into(), needs }
+    /// What the stages before should have made.
+    ///
+    /// # Errors
+    /// That they have not.
+    fn needed<T>(&self, made: Result<T, Missing>) -> Result<T, Error> {
+        made.map_err(|missing| Error::Order {
+            stage: self.stage.label.clone(),
+            needs: missing.stage,
+        })
     }
 }
 
@@ -167,27 +192,13 @@ impl Stage {
         }
     }
 
-    /// What in the options does not go together, if anything, with its place if
-    /// that is not the whole stage.
-    pub fn contradiction(&self) -> Option<(Option<Range<usize>>, String)> {
+    /// What in the options does not go together, if anything.
+    pub fn contradiction(&self) -> Option<Contradiction> {
         match self {
-            Self::Subdivide(options) => options.contradiction().map(|message| (None, message)),
+            Self::Subdivide(options) => options.contradiction().map(Contradiction::of_stage),
             Self::Solve(options) => options.contradiction(),
             _ => None,
         }
-    }
-
-    /// Why a stage of this kind does not know `key`, if it would with other
-    /// options; `option` gives the text of an option.
-    pub fn misplaced<'a>(
-        kind: &str,
-        key: &str,
-        option: impl Fn(&str) -> Option<&'a str>,
-    ) -> Option<String> {
-        if kind != "solve" {
-            return None;
-        }
-        Problem::misplaced(key, option("problem")).or_else(|| Solve::misplaced(key, option))
     }
 
     /// Does it.

@@ -96,7 +96,7 @@ impl Subdivide {
         state: &mut State,
         context: &Context,
     ) -> Result<SubdivideReport, Error> {
-        let mesh = state.finest().ok_or_else(|| context.order("check"))?;
+        let mesh = context.needed(state.mesh.finest())?;
         self.refuse_too_many(mesh.tets().len(), context)?;
         let mut notes = self.without_effect(mesh);
         let features = self.feature_options(mesh, context)?;
@@ -106,8 +106,8 @@ impl Subdivide {
         notes.extend(start_jumps(&self.jumps, state, context)?);
         notes.extend(field_notes(state, self.levels));
         context.remark(&notes);
-        state.levels(&features);
-        let hierarchy = state.hierarchy.as_ref().ok_or_else(|| context.order("check"))?;
+        context.needed(state.levels(&features))?;
+        let hierarchy = context.needed(state.mesh.levels())?;
         let reasons = Some(&state.feature_reasons).filter(|_| hierarchy.transfers() == 0);
         let strata = Strata::of_finest(hierarchy, reasons);
         let mut report = SubdivideReport::new(self.scheme(), hierarchy, unmarked, strata);
@@ -116,7 +116,6 @@ impl Subdivide {
         for number in 1..=usize::from(self.levels) {
             let what = format!("level {number} of {}", self.levels);
             let (level, more) = context
-                .progress
                 .step(number, self.levels.into(), &what, || self.add_level(state, context))?;
             report.add(level);
             clamped += more;
@@ -131,12 +130,12 @@ impl Subdivide {
         context: &Context,
     ) -> Result<((LevelReport, usize), String), Error> {
         let overshoot = if self.clamp { Overshoot::Clamp } else { Overshoot::Allow };
-        let finest = state.finest().ok_or_else(|| context.order("check"))?;
+        let finest = context.needed(state.mesh.finest())?;
         let step = self.step(finest);
         let clamped = state
             .refine(step, overshoot)
-            .map_err(|source| Error::Subdivide { stage: context.progress.label.into(), source })?;
-        let hierarchy = state.hierarchy.as_ref().ok_or_else(|| context.order("check"))?;
+            .map_err(|source| Error::Subdivide { stage: context.stage.label.clone(), source })?;
+        let hierarchy = context.needed(state.mesh.levels())?;
         let report = LevelReport::of_finest(hierarchy);
         let result = report.result();
         Ok(((report, clamped), result))

@@ -55,15 +55,15 @@ impl Default for Write {
 
 impl Write {
     pub(super) fn run(&self, state: &mut State, context: &Context) -> Result<WriteReport, Error> {
-        let finest = state.finest().ok_or_else(|| context.order("check"))?;
-        let all = state.hierarchy.as_ref().map_or(&[][..], Hierarchy::levels);
+        let finest = context.needed(state.mesh.finest())?;
+        let all = state.mesh.levels().map_or(&[][..], Hierarchy::levels);
         let levels = if self.levels { all.len() } else { 0 };
         let folder = context.output_folder;
         create_folder(folder)?;
         let derived = derived_fields(state, finest, all.last().map(|level| &level.topology));
         let notes = derived.replaced(&state.point_fields, &state.cell_fields);
         context.remark(&notes);
-        let mut files = context.progress.step(1, levels + 1, "solution.vtu", || {
+        let mut files = context.step(1, levels + 1, "solution.vtu", || {
             let mut solution = Dataset {
                 mesh: finest.raw().clone(),
                 point_fields: state.point_fields.clone(),
@@ -84,7 +84,7 @@ impl Write {
             let Level { mesh, topology, .. } = &**level;
             let name = format!("level-{number}.vtu");
             let path = folder.join(&name);
-            context.progress.step(number + 2, levels + 1, &name, || {
+            context.step(number + 2, levels + 1, &name, || {
                 if number + 1 == all.len() {
                     return write_level(&path, mesh, &derived);
                 }
@@ -134,7 +134,7 @@ fn write_level(
 
 /// Writes the fields that jump on a mesh with one vertex a side, if there are any.
 fn write_sides(path: &Path, state: &State) -> Result<Option<PathBuf>, Error> {
-    let (Some(mesh), Some(sides)) = (state.finest(), &state.sided_fields.sides) else {
+    let (Ok(mesh), Some(sides)) = (state.mesh.finest(), &state.sided_fields.sides) else {
         return Ok(None);
     };
     let apart = Dataset {

@@ -13,8 +13,8 @@ use octruss_mesh::analysis::{
 use octruss_meshio::{Dataset, Field, Values, write};
 use serde_json::json;
 
-use super::refine::degrees;
-use super::vertex_place::VertexPlace;
+use crate::cli::say::print;
+use crate::cli::vertex_place::VertexPlace;
 
 /// Eigenvalues below this are not printed, unless as JSON.
 const SMALL: f64 = 1e-6;
@@ -37,7 +37,7 @@ pub struct Spectrum {
     #[arg(long, value_name = "NAME", default_value = "box-spline")]
     scheme: SchemeName,
     /// Edges of a mesh stay sharp where outward normals differ by more
-    #[arg(long, value_name = "DEG", default_value = "40", value_parser = degrees)]
+    #[arg(long, value_name = "DEG", default_value = "40")]
     crease_angle: Degrees,
     /// Print JSON for scripts
     #[arg(long)]
@@ -86,7 +86,7 @@ impl Spectrum {
         let spectrum = local.spectrum()?;
         let map = CharacteristicMap::new(&mesh, vertex, scheme)?;
         let verdict = Verdict::new(&spectrum, &map);
-        super::print(&if self.json {
+        print(&if self.json {
             as_json(&local, &spectrum, &verdict)
         } else {
             as_text(&local, &spectrum, &verdict)

@@ -11,11 +11,9 @@ use toml::de::{DeString, DeTable, DeValue};
 
 use super::error::ConfigError;
 use super::labels::labels_of_trees;
-use super::nearest::suggestion;
 use super::source::{Override, Source};
-
-/// A value of a config with its place.
-pub type Tree<'a> = Spanned<DeValue<'a>>;
+use super::tree::Tree;
+use octruss_base::suggestion::suggestion;
 
 /// Puts one override into a parsed config.
 ///

@@ -28,7 +28,7 @@ pub struct VectorOnSurface {
 /// Exchange with a surrounding on a named surface.
 #[derive(Debug, Clone, PartialEq, Deserialize)]
 #[serde(deny_unknown_fields, rename_all = "kebab-case")]
-pub struct Robin {
+pub struct RobinOnSurface {
     /// The surface group.
     pub surface: Spanned<String>,
     /// At least 0, per unit of area.

@@ -10,8 +10,9 @@ use octruss::stages::{Check, Import, Stage, Subdivide};
 use octruss_mesh::{Diagonal, Marking};
 use octruss_meshio::{Dataset, check_target};
 
-use super::Threads;
-use super::progress::Display;
+use crate::cli::display::Display;
+use crate::cli::say::say;
+use crate::cli::threads::Threads;
 
 /// Refine a mesh: every tet into eight, N times over
 #[derive(clap::Args)]
@@ -38,7 +39,7 @@ pub struct Refine {
     levels: u8,
     /// Edges stay sharp where outward normals differ by more; 180 for none by angle (borders,
     /// curve groups and where surfaces meet stay) [default: 40]
-    #[arg(long, value_name = "DEG", value_parser = degrees)]
+    #[arg(long, value_name = "DEG")]
     crease_angle: Option<Degrees>,
     /// How marked pairs are chosen: shortest, agree, breadth-first or as-ordered
     /// [default: shortest]
@@ -61,17 +62,12 @@ pub struct Refine {
     quiet: bool,
 }
 
-pub fn degrees(text: &str) -> Result<Degrees, String> {
-    let number: f64 = text.parse().map_err(|_| "expected a number of degrees".to_string())?;
-    Degrees::try_from(number)
-}
-
 impl Refine {
     pub fn run(&self) -> anyhow::Result<()> {
         let format = check_target(&self.output)?;
         let refined = self.threads.install(|| self.refined())??;
         for loss in format.losses(&refined) {
-            super::say(&format!("note: {loss}"));
+            say(&format!("note: {loss}"));
         }
         write_with_surfaces(&self.output, &refined)?;
         Ok(())
@@ -94,18 +90,16 @@ impl Refine {
         ];
         let here = Path::new("");
         let display = Display::new(self.quiet);
-        let state = run_stages(&stages, None, [here, here], &|stage, stages, label, news| {
-            display.show(stage, stages, label, news);
-        })?;
+        let state = run_stages(&stages, None, [here, here], &display)?;
         for field in &state.sided_fields.fields {
             let name = &field.name;
-            super::say(&format!(
+            say(&format!(
                 "note: the field `{name}`, given at the corners of tets, was left out; \
                  `octruss run` writes it, for each region by itself"
             ));
         }
         let refined = state.into_dataset();
-        refined.notes.iter().for_each(|note| super::say(&format!("note: {note}")));
+        refined.notes.iter().for_each(|note| say(&format!("note: {note}")));
         Ok(refined)
     }
 }

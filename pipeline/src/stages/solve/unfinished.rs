@@ -5,10 +5,10 @@ use octruss_mesh::TetMesh;
 use octruss_meshio::{Dataset, Field, vtu};
 use octruss_solver::SolveReport;
 
-use super::Context;
 use crate::error::Error;
 use crate::output::{UNFINISHED, create_folder};
 use crate::report::Unfinished;
+use crate::stages::Context;
 
 /// Writes the best iterate as `unfinished.vtu` on the finest mesh; tells where it is
 /// and what it reached, or why it could not be written.
@@ -29,7 +29,7 @@ pub(super) fn keep(
         return error;
     }
     Error::Unfinished(Box::new(Unfinished {
-        stage: context.progress.label.into(),
+        stage: context.stage.label.clone(),
         what: what.into(),
         reason: reason.to_string(),
         iterations: report.iterations,

@@ -3,9 +3,6 @@
 use octruss_solver::{KernelTraffic, Traffic};
 use serde::Serialize;
 
-/// How often each kernel is measured; the median counts.
-pub(super) const REPEATS: usize = 7;
-
 /// Where the time of a cycle goes.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct TrafficFigures {
@@ -42,12 +39,17 @@ impl From<Traffic> for TrafficFigures {
     fn from(traffic: Traffic) -> Self {
         let copy = traffic.copy_bandwidth;
         // Without sweeps on one side of the correction there is no such kernel.
-        let kernels = traffic.kernels.iter().filter(|kernel| kernel.bytes > 0);
+        let mut kernels: Vec<_> = traffic.kernels.iter().filter(|k| k.bytes > 0).collect();
+        // The names of the report count from the finest down.
+        kernels.sort_by_key(|kernel| std::cmp::Reverse(kernel.level));
+        let finest = kernels.first().map_or(0, |kernel| kernel.level);
+        let below = |kernel: &KernelTraffic| Some(finest - kernel.level);
         Self {
             copy_bytes_per_second: copy,
             cycle: KernelFigures::new(&traffic.cycle, None, copy),
             kernels: kernels
-                .map(|kernel| KernelFigures::new(kernel, Some(kernel.level), copy))
+                .into_iter()
+                .map(|kernel| KernelFigures::new(kernel, below(kernel), copy))
                 .collect(),
         }
     }

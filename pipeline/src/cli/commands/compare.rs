@@ -4,9 +4,10 @@ use std::path::{Path, PathBuf};
 
 use octruss::{Recipe, comparison};
 
-use super::how_to_run::HowToRun;
-use super::interrupt;
-use super::progress::Display;
+use crate::cli::display::Display;
+use crate::cli::how_to_run::HowToRun;
+use crate::cli::interrupt;
+use crate::cli::say::{print, say};
 
 /// Compare prolongations, cycles and geometries on the problem of a config
 #[derive(clap::Args)]
@@ -36,15 +37,12 @@ impl Compare {
         comparison::Comparison::remove_earlier(&folder)?;
         let stop = interrupt::flag()?;
         let display = Display::new(self.how.quiet);
-        let listener = |stage: usize, stages: usize, label: &str, news| {
-            display.show(stage, stages, label, news);
-        };
         let compared =
-            self.how.threads.install(|| comparison::compare(&recipe, &listener, &stop))??;
+            self.how.threads.install(|| comparison::compare(&recipe, &display, &stop))??;
         let files = compared.write(&folder)?;
-        super::print(&compared.text())?;
+        print(&compared.text())?;
         let files: Vec<String> = files.iter().map(|path| path.display().to_string()).collect();
-        super::say(&format!("written: {}", files.join(", ")));
+        say(&format!("written: {}", files.join(", ")));
         Ok(())
     }
 }

@@ -6,9 +6,11 @@ use std::sync::Mutex;
 use std::time::Duration;
 
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
-use octruss::progress::News;
+use octruss::observer::{Event, Observer, StagePlace};
 
-/// Shows news of a run.
+use super::say::say;
+
+/// Shows what happens in a run.
 pub enum Display {
     /// One bar, for the stage that runs.
     Bar(Mutex<ProgressBar>),
@@ -29,38 +31,41 @@ impl Display {
             Self::Lines
         }
     }
+}
 
-    /// Shows one piece of news of stage `stage` (from 1) of `stages`.
-    pub fn show(&self, stage: usize, stages: usize, label: &str, news: News) {
-        let head = format!("[{stage}/{stages}] {label}");
+impl Observer for Display {
+    fn hear(&self, stage: &StagePlace, event: &Event) {
+        let head = format!("[{}/{}] {}", stage.number, stage.of, stage.label);
         match self {
             Self::Bar(bar) => {
                 // A poisoned lock means a panic elsewhere, which is told anyway.
                 if let Ok(mut bar) = bar.lock() {
-                    show_on_bar(&mut bar, &head, news);
+                    show_on_bar(&mut bar, &head, event);
                 }
             }
             Self::Lines => {
-                if let Some(text) = line(&news) {
-                    super::say(&format!("{head}: {text}"));
+                if let Some(text) = line(event) {
+                    say(&format!("{head}: {text}"));
                 }
             }
             Self::Quiet => {
-                if let News::Remark(text) = &news {
-                    super::say(&remark(text));
+                if let Event::Remark(text) = event {
+                    say(&remark(text));
                 }
             }
         }
     }
 }
 
-/// What is left to read of a piece of news; beginnings leave nothing.
-fn line(news: &News) -> Option<String> {
-    match news {
-        News::Started | News::Step { .. } | News::Note(_) => None,
-        News::Remark(text) => Some(remark(text)),
-        News::Done { what, result, seconds } => Some(format!("{what} … {result}, {seconds:.1} s")),
-        News::Finished { summary, seconds } => Some(format!("{summary} ({seconds:.1} s)")),
+/// What is left to read of an event; beginnings leave nothing.
+fn line(event: &Event) -> Option<String> {
+    match event {
+        Event::StageBegan | Event::StepBegan { .. } | Event::Note(_) => None,
+        Event::Remark(text) => Some(remark(text)),
+        Event::StepDone { what, result, seconds } => {
+            Some(format!("{what} … {result}, {seconds:.1} s"))
+        }
+        Event::StageDone { summary, seconds } => Some(format!("{summary} ({seconds:.1} s)")),
     }
 }
 
@@ -68,21 +73,21 @@ fn remark(text: &str) -> String {
     format!("note: {text}")
 }
 
-fn show_on_bar(bar: &mut ProgressBar, head: &str, news: News) {
-    match news {
-        News::Started => *bar = stage_bar(head),
-        News::Step { number, of, what } => {
-            bar.set_length(of as u64);
-            bar.set_position(number as u64 - 1);
-            bar.set_message(what);
+fn show_on_bar(bar: &mut ProgressBar, head: &str, event: &Event) {
+    match event {
+        Event::StageBegan => *bar = stage_bar(head),
+        Event::StepBegan { number, of, what } => {
+            bar.set_length(*of as u64);
+            bar.set_position(*number as u64 - 1);
+            bar.set_message(what.clone());
         }
-        News::Remark(text) => bar.suspend(|| super::say(&format!("{head}: {}", remark(&text)))),
-        News::Note(text) => bar.set_message(text),
-        News::Done { .. } => bar.inc(1),
-        News::Finished { .. } => {
+        Event::Remark(text) => bar.suspend(|| say(&format!("{head}: {}", remark(text)))),
+        Event::Note(text) => bar.set_message(text.clone()),
+        Event::StepDone { .. } => bar.inc(1),
+        Event::StageDone { .. } => {
             bar.finish_and_clear();
-            if let Some(text) = line(&news) {
-                super::say(&format!("{head}: {text}"));
+            if let Some(text) = line(event) {
+                say(&format!("{head}: {text}"));
             }
         }
     }

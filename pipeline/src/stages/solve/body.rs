@@ -2,17 +2,17 @@
 
 use octruss_fem::Error;
 use octruss_fem::{Constraints, Elasticity, Forces, Recovery, strains, stresses, von_mises};
-use octruss_mesh::{Hierarchy, RawMesh};
+use octruss_mesh::{Level, RawMesh};
 use octruss_meshio::{Field, Values};
 use serde::Serialize;
 use toml::Spanned;
 
-use super::solve::Solve;
+use super::elasticity::ElasticityKeys;
 
 /// A body with its displacement found.
 pub(super) struct Body<'a> {
-    pub(super) options: &'a Solve,
-    pub(super) hierarchy: &'a Hierarchy,
+    pub(super) keys: &'a ElasticityKeys,
+    pub(super) finest: &'a Level,
     pub(super) problem: &'a Elasticity,
     pub(super) constraints: &'a Constraints,
 }
@@ -74,8 +74,7 @@ impl Body<'_> {
         &self,
         displacement: Vec<[f64; 3]>,
     ) -> Result<(BodyFigures, Vec<Field>, Vec<Field>), Error> {
-        let mesh = &self.hierarchy.finest().mesh;
-        let topology = &self.hierarchy.finest().topology;
+        let Level { mesh, topology, .. } = self.finest;
         let strain = strains(mesh, &displacement)?;
         let stress = stresses(mesh, self.problem, &strain)?;
         let equivalent: Vec<f64> = stress.iter().map(von_mises).collect();
@@ -125,13 +124,13 @@ impl Body<'_> {
     }
 
     fn force_figures(&self, forces: &Forces) -> ForceFigures {
-        let mesh = self.hierarchy.finest().mesh.raw();
+        let mesh = self.finest.mesh.raw();
         // Supports and springs of the problem are those of the config, one for
         // each id of the surface called so.
         let supports = self.problem.supports.iter().map(|support| support.surface);
         let springs = self.problem.springs.iter().map(|(surface, _)| *surface);
-        let fixed = self.options.fixed.iter().map(|at| &at.get_ref().surface);
-        let sprung = self.options.springs.iter().map(|at| &at.surface);
+        let fixed = self.keys.fixed.iter().map(|at| &at.get_ref().surface);
+        let sprung = self.keys.springs.iter().map(|at| &at.surface);
         ForceFigures {
             reactions: by_name(mesh, fixed, supports.zip(&forces.supports)),
             springs: by_name(mesh, sprung, springs.zip(&forces.springs)),

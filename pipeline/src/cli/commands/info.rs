@@ -2,6 +2,9 @@
 
 use std::path::PathBuf;
 
+use crate::cli::card::card;
+use crate::cli::say::print;
+
 /// Show what a mesh file holds, sound or not: counts, groups, quality, findings
 #[derive(clap::Args)]
 #[command(after_help = "Examples:\n  octruss info part.msh\n  \
@@ -18,8 +21,8 @@ impl Info {
     pub fn run(&self) -> anyhow::Result<()> {
         let description = octruss::describe(&octruss_meshio::read(&self.mesh)?);
         if self.json {
-            return super::print(&(serde_json::to_string_pretty(&description)? + "\n"));
+            return print(&(serde_json::to_string_pretty(&description)? + "\n"));
         }
-        super::print(&super::card::card(&self.mesh, &description))
+        print(&card(&self.mesh, &description))
     }
 }

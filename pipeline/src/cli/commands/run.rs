@@ -7,9 +7,10 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use octruss::recipe::{ConfigError, Place};
 use octruss::{Error, Recipe, Report, amount};
 
-use super::how_to_run::HowToRun;
-use super::progress::Display;
-use super::{comparison, interrupt, traffic};
+use crate::cli::display::Display;
+use crate::cli::how_to_run::HowToRun;
+use crate::cli::say::{print, say, say_error};
+use crate::cli::{interrupt, solve_table, traffic_table};
 
 /// Run configs: import, check, subdivide, solve, write, compare with what is expected
 #[derive(clap::Args)]
@@ -44,21 +45,21 @@ impl Run {
             }
             let folder = self.output_folder(&recipe.name);
             if recipes.len() > 1 && !self.how.quiet {
-                super::say(&format!("── {} ──", recipe.name));
+                say(&format!("── {} ──", recipe.name));
             }
             let outcome = self.how.threads.install(|| self.run_one(recipe, &folder, &stop))?;
             let (code, words) = match outcome {
                 Ok(report) => conclude(&report)?,
                 Err(error) => {
                     let code = error.exit_code();
-                    super::say_error(&error.into());
+                    say_error(&error.into());
                     (code, "failed".into())
                 }
             };
             worst = worst.max(code);
             summary.push(format!("{}: {words} → {}\n", recipe.name, folder.display()));
         }
-        super::print(&summary.concat())?;
+        print(&summary.concat())?;
         Ok(ExitCode::from(worst))
     }
 
@@ -84,21 +85,17 @@ impl Run {
     }
 
     fn run_one(&self, recipe: &Recipe, folder: &Path, stop: &AtomicBool) -> Result<Report, Error> {
-        let display = Display::new(self.how.quiet);
-        let listener = |stage: usize, stages: usize, label: &str, news| {
-            display.show(stage, stages, label, news);
-        };
-        octruss::run(recipe, folder, &listener, stop)
+        octruss::run(recipe, folder, &Display::new(self.how.quiet), stop)
     }
 }
 
 /// Prints what a run found; tells how it went, as exit code and in words.
 fn conclude(report: &Report) -> anyhow::Result<(u8, String)> {
-    super::print(&comparison::of_solves(report))?;
-    super::print(&traffic::of_solves(report))?;
+    print(&solve_table::of_solves(report))?;
+    print(&traffic_table::of_solves(report))?;
     let missed: Vec<_> = report.expectations.iter().filter(|outcome| !outcome.met).collect();
     for outcome in &missed {
-        super::say(&format!("error: expectation missed: {outcome}"));
+        say(&format!("error: expectation missed: {outcome}"));
     }
     let memory = report
         .peak_memory_bytes

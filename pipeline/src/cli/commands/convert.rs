@@ -5,6 +5,8 @@ use std::path::PathBuf;
 use octruss::output::write_with_surfaces;
 use octruss_meshio::{check_target, read};
 
+use crate::cli::say::say;
+
 /// Convert a mesh file into another format, sound or not
 #[derive(clap::Args)]
 #[command(
@@ -27,7 +29,7 @@ impl Convert {
         let format = check_target(&self.output)?;
         let dataset = read(&self.input)?;
         for note in dataset.notes.iter().chain(&format.losses(&dataset)) {
-            super::say(&format!("note: {note}"));
+            say(&format!("note: {note}"));
         }
         write_with_surfaces(&self.output, &dataset)?;
         Ok(())

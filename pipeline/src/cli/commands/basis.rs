@@ -10,8 +10,7 @@ use octruss_mesh::most_levels;
 use octruss_mesh::{FeatureOptions, Hierarchy};
 use octruss_meshio::{Dataset, Field, check_target, write, write_aside};
 
-use super::refine::degrees;
-use super::sound_mesh::SoundMesh;
+use crate::cli::sound_mesh::SoundMesh;
 
 /// Samples of a line on either side of the vertex.
 const SAMPLES: u32 = 500;
@@ -43,7 +42,7 @@ pub struct Basis {
     #[arg(long, value_name = "NAME", default_value = "box-spline")]
     scheme: SchemeName,
     /// Edges stay sharp where outward normals differ by more
-    #[arg(long, value_name = "DEG", default_value = "40", value_parser = degrees)]
+    #[arg(long, value_name = "DEG", default_value = "40")]
     crease_angle: Degrees,
     /// File for the values along a line, .csv
     #[arg(long, value_name = "OUT.csv")]

@@ -1,0 +1,18 @@
+//! Solving on the finest mesh, once with each prolongation.
+//!
+//! ```text
+//! keys of a problem ─▶ fem::Problem ─▶ Discretisation ─▶ in turn: Solver ─▶ Solution, figures
+//! ```
+
+pub mod biharmonic;
+pub mod body;
+pub mod elasticity;
+pub mod figures;
+pub mod fixed;
+pub mod in_turn;
+pub mod on_surface;
+pub mod poisson;
+pub mod problem;
+pub mod stage;
+pub mod traffic;
+pub mod unfinished;

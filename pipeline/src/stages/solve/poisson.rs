@@ -1,0 +1,73 @@
+//! A Poisson problem from the names that a config uses.
+
+use octruss_fem::{Poisson, Robin, Scalar};
+use octruss_mesh::RawMesh;
+use serde::Deserialize;
+use toml::Spanned;
+
+use super::fixed::{Fixed, fixed_values};
+use super::on_surface::{OnSurface, RobinOnSurface};
+use crate::error::Error;
+use crate::recipe::{PerRegion, Value};
+use crate::stages::Context;
+use crate::stages::groups::{by_region, on_surfaces};
+
+/// The data of −div(k grad u) = f.
+#[derive(Debug, Clone, PartialEq, Deserialize)]
+#[serde(deny_unknown_fields, rename_all = "kebab-case", default)]
+pub struct PoissonKeys {
+    /// What is prescribed on surfaces; on a common edge the last listed counts.
+    pub fixed: Vec<Spanned<Fixed>>,
+    /// k > 0, one value or one a region; 1 where none is given.
+    pub coefficient: PerRegion,
+    /// f per unit of volume, one value or one a region; 0 where none is given.
+    pub source: PerRegion,
+    /// k ∂u/∂n on surfaces, n outward: what flows in per unit of area.
+    pub flux: Vec<OnSurface>,
+    /// k ∂u/∂n = coefficient (value − u) on surfaces.
+    pub robin: Vec<RobinOnSurface>,
+}
+
+impl Default for PoissonKeys {
+    fn default() -> Self {
+        Self {
+            fixed: Vec::new(),
+            coefficient: PerRegion::Uniform(Value::Number(1.0)),
+            source: PerRegion::Uniform(Value::Number(0.0)),
+            flux: Vec::new(),
+            robin: Vec::new(),
+        }
+    }
+}
+
+/// The problem that a stage describes, on this mesh.
+///
+/// # Errors
+/// A surface or region that the mesh does not have.
+pub(crate) fn problem(
+    keys: &PoissonKeys,
+    mesh: &RawMesh,
+    context: &Context,
+) -> Result<Poisson, Error> {
+    let scalars = |given, otherwise: f64| {
+        by_region(given, Value::to_scalar, Scalar::from(otherwise), mesh, context)
+    };
+    Ok(Poisson {
+        coefficient: scalars(&keys.coefficient, 1.0)?,
+        source: scalars(&keys.source, 0.0)?,
+        fixed: fixed_values(&keys.fixed, mesh, context)?,
+        flux: on_surfaces(
+            keys.flux.iter().map(|at| (&at.surface, at.value.to_scalar())),
+            mesh,
+            context,
+        )?,
+        robin: on_surfaces(
+            keys.robin.iter().map(|at| {
+                let coefficient = at.coefficient.to_scalar();
+                (&at.surface, Robin { coefficient, value: at.value.to_scalar() })
+            }),
+            mesh,
+            context,
+        )?,
+    })
+}

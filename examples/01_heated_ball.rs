@@ -8,7 +8,6 @@
 //! little, so R is taken from the refined volume.
 
 use octruss_fem::{Discretisation, Options, Poisson};
-use octruss_fem::{Poisson, assemble, restrict_to_free};
 use octruss_mesh::{CheckOptions, FeatureOptions, Hierarchy, Scheme, check};
 
 /// The whole chain in four steps.

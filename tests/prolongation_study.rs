@@ -12,8 +12,8 @@ use octruss_mesh::{
     Scheme, Step, TetMesh, check, guard::usual_floor, shapes,
 };
 use octruss_solver::{
-    Csr, DiagonalKind, Entry, Multigrid, MultigridOptions, Nodal, Precision, Smoother,
-    SolveOptions, SystemEntry, Transfer, conjugate_gradients, noise,
+    Csr, DiagonalKind, Multigrid, MultigridOptions, Nodal, Precision, Smoother, SolveOptions,
+    SystemEntry, Transfer, conjugate_gradients, noise,
 };
 
 /// V(1,1) with Gauss–Seidel, by blocks where there are blocks, in double precision.

@@ -4,19 +4,15 @@ use crate::arrays;
 use crate::system_files::{Description, Prolongation, array, write_matrix};
 use anyhow::{Context, Result, bail};
 use octruss_fem::{
-    Constraints, Dofs, Elasticity, Held, Material, Poisson, Support, assemble, assemble_elasticity,
-    restrict_to_free, vector,
+    Discretisation, Elasticity, Held, Material, Options, Poisson, Support, Unknown, vector,
 };
 use octruss_mesh::shapes::kuhn_cube;
 use octruss_mesh::{
-    CheckOptions, FeatureOptions, Hierarchy, Level, Scheme, SubdivisionMatrix, TetMesh, check,
-    prepare, sort_along_curve,
+    CheckOptions, FeatureOptions, Hierarchy, Scheme, TetMesh, check, prepare, sort_along_curve,
 };
-use octruss_solver::{Csr, Nodal, SystemEntry};
-use std::borrow::Cow;
+use octruss_solver::{Nodal, Transfer};
 use std::fs;
 use std::path::Path;
-use std::sync::Arc;
 use std::time::Instant;
 
 /// Refines a mesh by the box-spline scheme, which leaves the cube as it is, and
@@ -49,10 +45,7 @@ fn poisson(hierarchy: &Hierarchy, folder: &Path) -> Result<()> {
     let surfaces = hierarchy.finest().mesh.raw().ids(2);
     let fixed: Vec<_> = surfaces.into_iter().map(|surface| (surface, 0.0.into())).collect();
     let problem = Poisson { source: 1.0.into(), fixed, ..Poisson::default() };
-    let system = assemble(&hierarchy.finest().mesh, &hierarchy.finest().topology, &problem)?;
-    let dofs = |level: &Arc<Level>| Dofs::new(&level.mesh, &problem.fixed);
-    let dofs = hierarchy.levels().iter().map(dofs).collect::<Result<Vec<_>, _>>()?;
-    write_all(hierarchy, &dofs, (&system.matrix, &system.rhs), folder)
+    write_all(&Discretisation::new(hierarchy, &problem, &Options::default())?, folder)
 }
 
 /// E = 1, ν = 0.3, clamped at surface 1 (the side x = 0 of the cube, the bolts of the
@@ -63,57 +56,37 @@ fn elasticity(hierarchy: &Hierarchy, folder: &Path) -> Result<()> {
         supports: vec![Support { surface: 1, held: Held::displacement([0.0; 3]) }],
         ..Elasticity::new(Material::new(1.0, 0.3))
     };
-    let system =
-        assemble_elasticity(&hierarchy.finest().mesh, &hierarchy.finest().topology, &problem)?;
-    let dofs = |level: &Arc<Level>| {
-        let held = Constraints::new(&level.mesh, &level.topology, &problem.supports)?;
-        Ok::<_, octruss_fem::Error>(held.dofs().clone())
-    };
-    let dofs = hierarchy.levels().iter().map(dofs).collect::<Result<Vec<_>, _>>()?;
-    write_all(hierarchy, &dofs, (&system.matrix, &system.rhs), folder)
+    write_all(&Discretisation::new(hierarchy, &problem, &Options::default())?, folder)
 }
 
-fn write_all<E: SystemEntry>(
-    hierarchy: &Hierarchy,
-    dofs: &[Dofs],
-    (matrix, rhs): (&Csr<E>, &[E::Nodal]),
-    folder: &Path,
-) -> Result<()> {
-    write_matrix(folder, "matrix", matrix)?;
-    arrays::write(&array(folder, "rhs"), Nodal::flat(rhs).iter().copied())?;
-    let (points, free) = (hierarchy.finest().mesh.points(), dofs[dofs.len() - 1].free());
+fn write_all<E: Unknown>(system: &Discretisation<E>, folder: &Path) -> Result<()> {
+    write_matrix(folder, "matrix", &system.matrix)?;
+    arrays::write(&array(folder, "rhs"), Nodal::flat(&system.rhs).iter().copied())?;
+    let (points, free) = (system.hierarchy.finest().mesh.points(), system.finest().dofs.free());
     let points: Vec<[f64; 3]> = free.iter().map(|&vertex| points[vertex as usize]).collect();
     arrays::write(&array(folder, "points"), points.as_flattened().iter().copied())?;
     let prolongations = [Scheme::Linear, Scheme::BoxSpline]
-        .map(|scheme| write_prolongations(hierarchy, dofs, scheme, folder))
+        .map(|scheme| write_prolongations(system, scheme, folder))
         .into_iter()
         .collect::<Result<_>>()?;
-    let rows = dofs.iter().rev().map(Dofs::unknowns).collect();
+    let rows = system.levels.iter().rev().map(|level| level.dofs.unknowns()).collect();
     let description = Description { block: E::SIZE, rows, prolongations };
     fs::write(folder.join("system.json"), serde_json::to_string_pretty(&description)?)?;
     Ok(())
 }
 
-/// Makes prolongations as a run does.
-fn write_prolongations(
-    hierarchy: &Hierarchy,
-    dofs: &[Dofs],
+/// Makes prolongations as a run does; writes them with the finest first.
+fn write_prolongations<E: Unknown>(
+    system: &Discretisation<E>,
     scheme: Scheme,
     folder: &Path,
 ) -> Result<Prolongation> {
     let start = Instant::now();
-    let transfers = 0..hierarchy.transfers();
-    let matrices: Vec<Cow<SubdivisionMatrix>> =
-        transfers.map(|transfer| hierarchy.prolongation(transfer, scheme).matrix).collect();
-    let pairs = matrices.iter().zip(dofs.windows(2)).rev();
-    let prolongations = pairs
-        .map(|(matrix, pair)| restrict_to_free(matrix, &pair[1], &pair[0]))
-        .collect::<Result<Vec<_>, _>>()?;
+    let options = Options { prolongation: scheme.into(), ..Options::default() };
+    let (transfers, summaries) = system.transfers(&options)?;
     let seconds = start.elapsed().as_secs_f64();
-    let defects = matrices.iter().enumerate();
-    let defects = defects.map(|(transfer, matrix)| hierarchy.affine_defect(transfer, matrix));
-    let affine_defect = defects.fold(0.0, f64::max);
-    for (number, prolongation) in prolongations.iter().enumerate() {
+    let affine_defect = summaries.iter().map(|summary| summary.affine_defect).fold(0.0, f64::max);
+    for (number, Transfer { prolongation, .. }) in transfers.iter().rev().enumerate() {
         write_matrix(folder, &format!("{}.{number}", scheme.name()), prolongation)?;
     }
     Ok(Prolongation { name: scheme.name().into(), seconds, affine_defect })

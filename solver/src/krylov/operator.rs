@@ -4,7 +4,7 @@ use crate::error::{Error, check_finite, check_size};
 use crate::sparse::csr::Csr;
 use crate::sparse::dot::chunk_dot;
 use crate::sparse::entry::{Entry, Nodal};
-use crate::sparse::kernels;
+use crate::sparse::kernels::{self, ChebyshevStep};
 use octruss_base::chunks::map_ranges;
 
 /// A square linear operator on vectors with a number, or three, for each row.
@@ -66,13 +66,8 @@ pub trait Operator<E: Entry = f64>: Sync {
     }
 
     /// d ← `keep` d + `add` D⁻¹ (b − A x), next = x + d.
-    fn chebyshev_step(
-        &self,
-        inverse_diagonal: &[E],
-        (keep, add): (E::Real, E::Real),
-        (x, b): (&[E::Nodal], &[E::Nodal]),
-        (d, next): (&mut [E::Nodal], &mut [E::Nodal]),
-    ) {
+    fn chebyshev_step(&self, step: ChebyshevStep<E>) {
+        let ChebyshevStep { inverse_diagonal, keep, add, b, x, d, next } = step;
         self.residual(x, b, next);
         for (((d, next), x), inverse) in d.iter_mut().zip(next).zip(x).zip(inverse_diagonal) {
             let scaled = inverse.add_product(*next, E::Nodal::default());
@@ -120,14 +115,8 @@ impl<E: Entry> Operator<E> for Csr<E> {
         kernels::product_dot(self, x, y)
     }
 
-    fn chebyshev_step(
-        &self,
-        inverse_diagonal: &[E],
-        factors: (E::Real, E::Real),
-        given: (&[E::Nodal], &[E::Nodal]),
-        result: (&mut [E::Nodal], &mut [E::Nodal]),
-    ) {
-        kernels::chebyshev_step((self, inverse_diagonal), factors, given, result);
+    fn chebyshev_step(&self, step: ChebyshevStep<E>) {
+        kernels::chebyshev_step(self, step);
     }
 
     /// max Σ_j ‖D_i⁻¹ A_ij‖ in the maximum norm.

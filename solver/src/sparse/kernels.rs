@@ -78,14 +78,28 @@ pub fn product_dot<E: Entry>(matrix: &Csr<E>, x: &[E::Nodal], y: &mut [E::Nodal]
     sums.iter().sum()
 }
 
-/// One Chebyshev step with the residual inside the product's loop:
-/// d ← `keep` d + `add` D⁻¹ (b − A x), next = x + d.
-pub(crate) fn chebyshev_step<E: Entry>(
-    (matrix, inverse_diagonal): (&Csr<E>, &[E]),
-    (keep, add): (E::Real, E::Real),
-    (x, b): (&[E::Nodal], &[E::Nodal]),
-    (d, next): (&mut [E::Nodal], &mut [E::Nodal]),
-) {
+/// One Chebyshev step, d ← `keep` d + `add` D⁻¹ (b − A x), next = x + d: what it reads
+/// and what it writes, an entry for each row.
+pub struct ChebyshevStep<'a, E: Entry> {
+    /// The inverse of the diagonal D.
+    pub inverse_diagonal: &'a [E],
+    /// The share of the last direction.
+    pub keep: E::Real,
+    /// The share of the scaled residual.
+    pub add: E::Real,
+    /// The right-hand side.
+    pub b: &'a [E::Nodal],
+    /// The iterate.
+    pub x: &'a [E::Nodal],
+    /// The direction, the last one and then the new.
+    pub d: &'a mut [E::Nodal],
+    /// The new iterate, whatever it held.
+    pub next: &'a mut [E::Nodal],
+}
+
+/// Does a Chebyshev step with the residual inside the product's loop.
+pub fn chebyshev_step<E: Entry>(matrix: &Csr<E>, step: ChebyshevStep<E>) {
+    let ChebyshevStep { inverse_diagonal, keep, add, b, x, d, next } = step;
     check_lengths(matrix, x, d);
     map_chunks2(d, next, |first, d, next| {
         let rows = first..first + d.len();

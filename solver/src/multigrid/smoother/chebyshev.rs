@@ -7,6 +7,7 @@
 
 use crate::krylov::operator::Operator;
 use crate::sparse::entry::{Entry, Nodal};
+use crate::sparse::kernels::ChebyshevStep;
 use crate::sparse::real::Real;
 use octruss_base::chunks::map_chunks2;
 use octruss_base::large_array::zeroed;
@@ -64,8 +65,8 @@ impl<E: Entry> Chebyshev<E> {
                 start::<E>(add, (inverse_diagonal, b), &mut self.direction, x);
                 continue;
             }
-            let result = (&mut self.direction[..], &mut self.next[..]);
-            matrix.chebyshev_step(inverse_diagonal, (keep, add), (x, b), result);
+            let (d, next) = (&mut self.direction[..], &mut self.next[..]);
+            matrix.chebyshev_step(ChebyshevStep { inverse_diagonal, keep, add, b, x, d, next });
             std::mem::swap(x, &mut self.next);
         }
     }

@@ -7,8 +7,10 @@ use rayon::prelude::*;
 use crate::core::tet_mesh::TetMesh;
 use crate::core::topology::Topology;
 use crate::features::{FeatureOptions, prepare};
+use crate::refinement::refinement::Refinement;
 use crate::refinement::subdivision_matrix::SubdivisionMatrix;
-use crate::subdivide::refine::{Refinement, SubdivideError, subdivide};
+use crate::subdivide::error::SubdivideError;
+use crate::subdivide::refine::subdivide;
 use crate::subdivide::step::Step;
 use octruss_base::ragged::CHUNK;
 

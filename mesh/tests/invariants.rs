@@ -78,19 +78,22 @@ proptest! {
         let (coarse, fine) = (&levels.coarsest().mesh, &levels.finest().mesh);
         let topology = &levels.levels()[1].topology;
         prop_assert_eq!(fine.groups(), coarse.groups());
-        for (t, &region) in fine.regions().iter().enumerate() {
-            prop_assert_eq!(region, coarse.regions()[levels.refinement(0).parent(t)]);
-            prop_assert!((8.0 * fine.volume(t) - coarse.volume(t / 8)).abs() < 1e-12);
+        let refinement = levels.refinement(0);
+        prop_assert_eq!(fine.regions(), refinement.inherit(coarse.regions(), 1));
+        for t in 0..fine.tets().len() {
+            let parent = refinement.parent(t as u32) as usize;
+            prop_assert!((8.0 * fine.volume(t) - coarse.volume(parent)).abs() < 1e-12);
         }
         for id in coarse.triangles().ids() {
             let count = |m: &TetMesh| m.triangles().tags.iter().filter(|&&tag| tag == id).count();
             prop_assert_eq!(count(fine), 4 * count(coarse));
         }
+        let part_of = |part| refinement.ancestry.triangles.parent(part as u32) as usize;
         // Each part of a tagged triangle is a face of the fine mesh, with the
         // parent's normal; each part of a tagged edge is an edge.
         for (part, (fine_triangle, _)) in fine.triangles().iter().enumerate() {
             prop_assert!(topology.face_of(fine_triangle).is_some());
-            let coarse_triangle = coarse.triangles().simplices[part / 4];
+            let coarse_triangle = coarse.triangles().simplices[part_of(part)];
             let (p, q) = (normal(fine, fine_triangle), normal(coarse, coarse_triangle));
             prop_assert!((0..3).all(|k| (4.0 * p[k] - q[k]).abs() < 1e-12));
         }

@@ -78,12 +78,15 @@ proptest! {
         let (Ok(plain), Ok(sorted)) = (refined(prepared), refined(sorted)) else {
             return Ok(()); // both or none: rounding cannot tell, tets may fold
         };
-        for (child, tet) in sorted.finest().mesh.tets().iter().enumerate() {
-            let old = 8 * from.tets[child / 8] as usize + child % 8;
-            for (&v, &w) in tet.iter().zip(&plain.finest().mesh.tets()[old]) {
-                let pair = [sorted.finest().mesh.points()[v as usize], plain.finest().mesh.points()[w as usize]];
-                for k in 0..3 {
-                    prop_assert!((pair[0][k] - pair[1][k]).abs() < 1e-12, "{:?}", pair);
+        let children = |levels: &Hierarchy, tet: u32| levels.refinement(0).children(tet);
+        for (tet, &old) in (0u32..).zip(&from.tets) {
+            for (child, old) in children(&sorted, tet).zip(children(&plain, old)) {
+                let ends = [(&sorted, child), (&plain, old)].map(|(levels, child)| {
+                    let mesh = &levels.finest().mesh;
+                    mesh.tets()[child as usize].map(|v| mesh.points()[v as usize])
+                });
+                for (p, q) in ends[0].iter().zip(&ends[1]) {
+                    prop_assert!((0..3).all(|k| (p[k] - q[k]).abs() < 1e-12), "{:?} {:?}", p, q);
                 }
             }
         }

@@ -51,7 +51,7 @@ fn levels(mesh: TetMesh, step: Step, levels: usize) -> Hierarchy {
 fn carried(hierarchy: &Hierarchy, mut values: Vec<f64>, components: usize) -> Vec<f64> {
     for (level, refinement) in hierarchy.refinements().enumerate() {
         let [coarse, fine] = [0, 1].map(|l| Sides::new(&hierarchy.levels()[level + l].mesh));
-        let step = (&hierarchy.levels()[level].topology, &refinement.matrix);
+        let step = (&hierarchy.levels()[level].topology, refinement);
         values = coarse.carry(step, &fine, &values, components, Overshoot::Allow).values;
     }
     values
@@ -244,7 +244,7 @@ fn where_a_curve_pierces_an_interface_each_side_is_continued_as_a_constant() {
     for (v, region, value) in [(before, 1, 8.0), (at, 1, 16.0), (at, 2, 32.0), (after, 2, 64.0)] {
         start[coarse.find(v, region).unwrap()] = value;
     }
-    let step = (&hierarchy.coarsest().topology, &hierarchy.refinement(0).matrix);
+    let step = (&hierarchy.coarsest().topology, hierarchy.refinement(0));
     let values = coarse.carry(step, &fine, &start, 1, Overshoot::Allow).values;
     // 1/8, 3/4, 1/8 with the missing neighbour equal to the vertex itself.
     assert_eq!(values[fine.find(at, 1).unwrap()], 1.0 + 14.0);
@@ -282,7 +282,7 @@ fn clamped_values_stay_in_the_range_of_their_stencil_and_others_are_untouched() 
     // The same per side.
     let [coarse, fine] = [0, 1].map(|level| Sides::new(&hierarchy.levels()[level].mesh));
     let sided = coarse.from_vertices(&start, 2);
-    let step = (&hierarchy.coarsest().topology, matrix);
+    let step = (&hierarchy.coarsest().topology, hierarchy.refinement(0));
     let carried = coarse.carry(step, &fine, &sided, 2, Overshoot::Clamp);
     assert_eq!(carried.values, fine.from_vertices(&clamped.values, 2));
     assert_eq!(carried.clamped, beyond_rounding);

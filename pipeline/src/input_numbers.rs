@@ -1,6 +1,6 @@
 //! Where the vertices and tets of a level are in the mesh file.
 
-use octruss_mesh::{Renumbering, TetMesh};
+use octruss_mesh::{Refinement, Renumbering};
 use octruss_meshio::{Dataset, Field, Values};
 
 use crate::derived_fields::DerivedFields;
@@ -14,7 +14,7 @@ const TET: &str = "input-tet";
 /// The number of a vertex that the file does not have.
 const MADE: i64 = -1;
 
-/// For the coarsest level, the number of each vertex and tet in the mesh file,
+/// For a level, the number of each vertex and tet in the mesh file,
 /// from 0; tets are counted among tets.
 ///
 /// A file that was written by an earlier run and records features carries these
@@ -57,16 +57,21 @@ impl InputNumbers {
         self.tets = pick(&self.tets, &from.tets);
     }
 
-    /// The numbers as fields of a level: new vertices have −1, children the number
-    /// of their ancestor.
-    pub fn fields(&self, level: &TetMesh) -> DerivedFields {
-        let mut vertices = self.vertices.clone();
-        vertices.resize(level.points().len(), MADE);
-        let children = level.tets().len() / self.tets.len().max(1);
-        let tets = self.tets.iter().flat_map(|&tet| std::iter::repeat_n(tet, children)).collect();
+    /// Those of a finer level: new vertices have −1, tets the number of their ancestor.
+    pub fn refined<'a>(&self, refinements: impl IntoIterator<Item = &'a Refinement>) -> Self {
+        let down = |numbers: Self, refinement: &Refinement| {
+            let Self { mut vertices, tets } = numbers;
+            vertices.resize(refinement.ancestry.fine_vertices(), MADE);
+            Self { vertices, tets: refinement.inherit(&tets, 1) }
+        };
+        refinements.into_iter().fold(self.clone(), down)
+    }
+
+    /// The numbers as fields of the level that they are of.
+    pub fn fields(self) -> DerivedFields {
         DerivedFields {
-            points: vec![Field::derived(VERTEX, Values::Integer(vertices))],
-            cells: vec![Field::derived(TET, Values::Integer(tets))],
+            points: vec![Field::derived(VERTEX, Values::Integer(self.vertices))],
+            cells: vec![Field::derived(TET, Values::Integer(self.tets))],
         }
     }
 }

@@ -5,7 +5,7 @@ use std::path::PathBuf;
 
 use octruss_mesh::{
     FeatureOptions, FeatureReasons, Hierarchy, Level, Overshoot, Renumbering, Sides, Step,
-    SubdivideError, TetMesh, carry_field, prepare, sort_along_curve,
+    SubdivideError, TetMesh, prepare, sort_along_curve,
 };
 use octruss_meshio::{Dataset, Field, Values};
 
@@ -96,18 +96,19 @@ impl State {
     pub fn refine(&mut self, step: Step, overshoot: Overshoot) -> Result<usize, SubdivideError> {
         let Ok(hierarchy) = self.mesh.levels_mut() else { return Ok(0) };
         hierarchy.subdivide(step)?;
-        let matrix = &hierarchy.refinement(hierarchy.transfers() - 1).matrix;
+        let refinement = hierarchy.refinement(hierarchy.transfers() - 1);
         let mut clamped = 0;
         for field in &mut self.point_fields {
-            let carried = carry_field(matrix, &floats(field), field.components, overshoot);
+            let (values, components) = (floats(field), field.components);
+            let carried = refinement.carry_point_field(&values, components, overshoot);
             field.values = Values::Float(carried.values);
             clamped += carried.clamped;
         }
         clamped += self.sided_fields.refine(hierarchy, overshoot);
         for field in &mut self.cell_fields {
             field.values = match &field.values {
-                Values::Float(values) => Values::Float(to_children(values, field.components)),
-                Values::Integer(values) => Values::Integer(to_children(values, field.components)),
+                Values::Float(all) => Values::Float(refinement.inherit(all, field.components)),
+                Values::Integer(all) => Values::Integer(refinement.inherit(all, field.components)),
             };
         }
         Ok(clamped)
@@ -117,13 +118,16 @@ impl State {
     /// file, or what was imported if nothing was checked.
     pub fn into_dataset(self) -> Dataset {
         let Self { mesh, point_fields, cell_fields, input_numbers, .. } = self;
-        let finest = match mesh {
+        let (finest, input_numbers) = match mesh {
             MeshPhase::Nothing => return Dataset::default(),
             MeshPhase::Imported(dataset) => return dataset,
-            MeshPhase::Checked(mesh) => mesh,
-            MeshPhase::Levels(hierarchy) => hierarchy.into_finest().mesh,
+            MeshPhase::Checked(mesh) => (mesh, input_numbers),
+            MeshPhase::Levels(levels) => {
+                let numbers = input_numbers.refined(levels.refinements());
+                (levels.into_finest().mesh, numbers)
+            }
         };
-        let numbers = input_numbers.fields(&finest);
+        let numbers = input_numbers.fields();
         let notes = numbers.replaced(&point_fields, &cell_fields);
         let mesh = finest.into_raw();
         let mut dataset = Dataset { mesh, point_fields, cell_fields, notes, ..Dataset::default() };
@@ -153,7 +157,7 @@ impl SidedFields {
         let Some(coarse) = &self.sides else { return 0 };
         let fine = Sides::new(&hierarchy.finest().mesh);
         let transfer = hierarchy.transfers() - 1;
-        let step = (&hierarchy.levels()[transfer].topology, &hierarchy.refinement(transfer).matrix);
+        let step = (&hierarchy.levels()[transfer].topology, hierarchy.refinement(transfer));
         let mut clamped = 0;
         for field in &mut self.fields {
             let carried = coarse.carry(step, &fine, &floats(field), field.components, overshoot);
@@ -172,9 +176,4 @@ pub(crate) fn floats(field: &Field) -> Cow<'_, [f64]> {
         Values::Float(values) => values.into(),
         Values::Integer(values) => values.iter().map(|&value| value as f64).collect(),
     }
-}
-
-/// Each tet's tuple, once for each of its eight children.
-fn to_children<T: Copy>(values: &[T], components: usize) -> Vec<T> {
-    values.chunks(components.max(1)).flat_map(|tuple| tuple.repeat(8)).collect()
 }

@@ -6,7 +6,7 @@ use super::{AnalysisError, LocalMatrix, eigenvectors};
 use crate::core::raw_mesh::RawMesh;
 use crate::core::reference_tet::six_volumes;
 use crate::core::tet_mesh::TetMesh;
-use crate::subdivide::scheme::Scheme;
+use crate::scheme::Scheme;
 
 /// How often the star is split for the sample of the map.
 const LEVELS: usize = 3;

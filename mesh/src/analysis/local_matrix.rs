@@ -6,7 +6,7 @@ use super::refined_star::RefinedStar;
 use super::{AnalysisError, Spectrum};
 use crate::core::tet_mesh::TetMesh;
 use crate::hierarchy::Hierarchy;
-use crate::subdivide::scheme::Scheme;
+use crate::scheme::Scheme;
 
 /// How often a star is split first. Rows of the four rings next to the centre
 /// come from the two coarse rings next to it, and no rule reads more than two

@@ -4,8 +4,8 @@ use super::{AnalysisError, place, star};
 use crate::core::tet_mesh::TetMesh;
 use crate::hierarchy::Hierarchy;
 use crate::refinement::subdivision_matrix::SubdivisionMatrix;
+use crate::scheme::Scheme;
 use crate::subdivide::assemble_matrix::subdivision_matrix;
-use crate::subdivide::scheme::Scheme;
 
 /// A star after some linear splits, with the matrix of a scheme's next step.
 ///

@@ -73,7 +73,7 @@ impl CellState {
     }
 
     /// The states of the eight [`CHILDREN`].
-    pub const fn children(self) -> [Self; 8] {
+    pub const fn children(self) -> [Self; CHILDREN.len()] {
         const T: CellState = CellState::Tetrahedron;
         const P: CellState = CellState::QuarterRoundX0X2;
         const Q: CellState = CellState::QuarterRoundX1X3;

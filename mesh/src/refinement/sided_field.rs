@@ -20,8 +20,9 @@ use rayon::prelude::*;
 use crate::core::raw_mesh::RawMesh;
 use crate::core::tet_mesh::TetMesh;
 use crate::core::topology::Topology;
+use crate::refinement::ancestry::Ancestor;
 use crate::refinement::carry::{Carried, Overshoot, clamp};
-use crate::refinement::subdivision_matrix::SubdivisionMatrix;
+use crate::refinement::refinement::Refinement;
 use octruss_base::ragged::CHUNK;
 
 /// The sides of a mesh's vertices, ordered by vertex, then by region.
@@ -157,13 +158,13 @@ impl Sides {
     }
 
     /// Carries a field of one tuple a side onto the sides of the finer mesh that
-    /// `matrix` leads to from the mesh with this topology.
+    /// a refinement leads to from the mesh with this topology.
     ///
     /// # Panics
     /// If `values` does not have `components` values for each side.
     pub fn carry(
         &self,
-        (topology, matrix): (&Topology, &SubdivisionMatrix),
+        step: (&Topology, &Refinement),
         fine: &Self,
         values: &[f64],
         components: usize,
@@ -175,8 +176,8 @@ impl Sides {
             return Carried { values: carried, clamped: 0 };
         }
         let carry_side = |entries: &mut Vec<(f64, usize)>, (side, tuple): (usize, &mut [f64])| {
-            let (row, region) = (fine.vertices[side] as usize, fine.regions[side]);
-            self.entries(topology, matrix, row, region, entries);
+            let (row, region) = (fine.vertices[side], fine.regions[side]);
+            self.entries(step, row, region, entries);
             let stencil = entries
                 .iter()
                 .map(|&(weight, side)| (weight, &values[components * side..][..components]));
@@ -196,21 +197,20 @@ impl Sides {
     /// The entries of a row on one side, as weights and coarse sides.
     fn entries(
         &self,
-        topology: &Topology,
-        matrix: &SubdivisionMatrix,
-        row: usize,
+        (topology, refinement): (&Topology, &Refinement),
+        row: u32,
         region: i32,
         entries: &mut Vec<(f64, usize)>,
     ) {
-        let (columns, weights) = matrix.row(row);
+        let (columns, weights) = refinement.matrix.row(row as usize);
         entries.clear();
         for (&column, &weight) in columns.iter().zip(weights) {
             match self.find(column, region) {
                 Some(side) => entries.push((weight, side)),
                 None => {
-                    let own = match row.checked_sub(matrix.columns()) {
-                        None => [row as u32; 2],
-                        Some(edge) => topology.edges()[edge],
+                    let own = match refinement.ancestry.of_vertex(row) {
+                        Ancestor::Edge(edge) => topology.edges()[edge as usize],
+                        _ => [row; 2],
                     };
                     // A region that touches a midpoint touches both ends.
                     let own = own.into_iter().filter_map(|v| self.find(v, region));

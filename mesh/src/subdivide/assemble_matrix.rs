@@ -4,9 +4,9 @@ use crate::core::raw_mesh::RawMesh;
 use crate::core::tet_mesh::TetMesh;
 use crate::core::topology::{EdgeFaces, Topology, VertexEdges};
 use crate::refinement::subdivision_matrix::{SubdivisionMatrix, linear_matrix};
+use crate::scheme::Scheme;
 use crate::subdivide::neighbourhoods::Neighbourhoods;
 use crate::subdivide::rules;
-use crate::subdivide::scheme::Scheme;
 
 /// The matrix of one step of a scheme on a mesh with its topology.
 ///

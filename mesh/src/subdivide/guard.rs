@@ -13,24 +13,15 @@ use rayon::prelude::*;
 use crate::core::raw_mesh::RawMesh;
 use crate::core::reference_tet::{MARKING_PERMUTATIONS, corners, six_volumes};
 use crate::core::tet_mesh::TetMesh;
+use crate::refinement::guard_report::GuardReport;
 use crate::refinement::subdivision_matrix::SubdivisionMatrix;
 use crate::soundness::quality::smallest_mean_ratio;
-use crate::subdivide::red_split::Parents;
+use crate::subdivide::red_split::parents::Parents;
+use crate::subdivide::red_split::parts::{PARTS, child_of, families, parent_of};
 use octruss_base::ragged::CHUNK;
 
 /// The shares of the linear rule that are tried are multiples of 1 / STEPS.
 const STEPS: u8 = 32;
-
-/// What the guard did in one step.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub struct GuardReport {
-    /// The η that no tet falls below, unless its parent was below it.
-    pub floor: f64,
-    /// How many rows were pulled back.
-    pub pulled_back: usize,
-    /// How many of them all the way to the linear rule.
-    pub linear: usize,
-}
 
 /// The floor that serves where none is chosen: half of the smallest mean ratio
 /// that the mesh began with, as its features record it, or has now.
@@ -155,13 +146,12 @@ impl Guard<'_> {
         points: &[[f64; 3]],
         asked_for: impl Fn(&[u32; 4]) -> bool + Sync,
     ) -> Vec<u32> {
-        let children = self.fine_tets.as_chunks::<8>().0;
-        let bad = |(parent, children): (usize, &[[u32; 4]; 8])| {
+        let bad = |(parent, children): (usize, &[[u32; 4]; PARTS])| {
             // Nearly all are above the floor itself, whatever the parent.
             let below = |tet: &[u32; 4]| {
                 asked_for(tet) && !Lattice::new(corners(points, *tet)).is_at_least(self.floor)
             };
-            let mut bad = [false; 8];
+            let mut bad = [false; PARTS];
             if children.iter().any(below) {
                 let floor = self.floor_within(parent);
                 for (bad, tet) in bad.iter_mut().zip(children) {
@@ -169,9 +159,11 @@ impl Guard<'_> {
                     *bad = asked_for(tet) && !is_fine;
                 }
             }
-            (0..8).filter(move |&child| bad[child]).map(move |child| (8 * parent + child) as u32)
+            let bad = (0..PARTS).filter(move |&child| bad[child]);
+            bad.map(move |child| child_of(parent as u32, child as u32))
         };
-        children.par_iter().with_min_len(CHUNK).enumerate().flat_map_iter(bad).collect()
+        let children = families(self.fine_tets).par_iter();
+        children.with_min_len(CHUNK).enumerate().flat_map_iter(bad).collect()
     }
 
     /// What the children of a tet must reach. Rounding must not make one worse
@@ -186,7 +178,7 @@ impl Guard<'_> {
     fn raise(&self, bad: &[u32], smooth: &[[f64; 3]], shares: &[u8]) -> Vec<([u32; 4], u8)> {
         let mend = |&t: &u32| {
             let tet = self.fine_tets[t as usize];
-            let floor = self.floor_within(t as usize / 8);
+            let floor = self.floor_within(parent_of(t) as usize);
             let mends = |least: &u8| {
                 let at = |v: u32| self.position(smooth, v as usize, shares[v as usize].max(*least));
                 Lattice::new(tet.map(at)).is_at_least(floor)

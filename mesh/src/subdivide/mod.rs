@@ -1,11 +1,12 @@
 //! From a mesh to a finer one: the schemes' rules, the red split, the guard of quality.
 
 pub mod assemble_matrix;
+pub mod error;
 pub mod guard;
 pub mod neighbourhoods;
 pub mod octets;
 pub mod red_split;
 pub mod refine;
 pub mod rules;
-pub mod scheme;
+pub mod size;
 pub mod step;

@@ -8,8 +8,8 @@ use crate::core::raw_mesh::{Features, RawMesh};
 use crate::core::reference_tet::{EDGES, MARKED, opposite_ends};
 use crate::core::strata::Strata;
 use crate::core::topology::{EdgeFaces, EdgeTets, NONE, Topology, VertexEdges, ascending};
+use crate::scheme::Scheme;
 use crate::subdivide::octets::Octets;
-use crate::subdivide::scheme::Scheme;
 
 /// A vertex, or a combination of vertices that stands for a missing one; the
 /// weights sum to one.

@@ -16,8 +16,8 @@ mod loop_solid;
 mod surface;
 
 use crate::refinement::subdivision_matrix::Row;
+use crate::scheme::Scheme;
 use crate::subdivide::neighbourhoods::Neighbourhoods;
-use crate::subdivide::scheme::Scheme;
 
 /// Adds the entries of the row of a coarse vertex.
 pub(crate) fn vertex_row(scheme: Scheme, near: &Neighbourhoods, vertex: u32, row: &mut Row) {

@@ -1,6 +1,6 @@
 //! What one subdivision step is to do.
 
-use crate::subdivide::scheme::Scheme;
+use crate::scheme::Scheme;
 
 /// A scheme for the vertices, a diagonal for the tets, and perhaps a guard.
 ///

@@ -9,8 +9,8 @@ use crate::core::tet_mesh::TetMesh;
 use crate::core::topology::{NONE, Topology};
 use crate::hierarchy::{Hierarchy, Level, mean_edge_length};
 use crate::refinement::subdivision_matrix::{SubdivisionMatrix, linear_matrix};
+use crate::scheme::Scheme;
 use crate::subdivide::assemble_matrix::subdivision_matrix;
-use crate::subdivide::scheme::Scheme;
 use crate::transfer::affine_correction::{
     AffineCorrection, CorrectedRows, Geometry, NEGLIGIBLE_DEFECT, corrected,
 };

@@ -1,9 +1,10 @@
 //! Files for ParaView.
 
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 
 use octruss_mesh::quality::mean_ratios;
-use octruss_mesh::{Hierarchy, Level, Strata, TetMesh, Topology};
+use octruss_mesh::{Hierarchy, Level, Strata, TetMesh};
 use octruss_meshio::{Dataset, Field, Values, pvd, vtu};
 use serde::{Deserialize, Serialize};
 
@@ -60,7 +61,7 @@ impl Write {
         let levels = if self.levels { all.len() } else { 0 };
         let folder = context.output_folder;
         create_folder(folder)?;
-        let derived = derived_fields(state, finest, all.last().map(|level| &level.topology));
+        let derived = derived_fields(state, finest, all);
         let notes = derived.replaced(&state.point_fields, &state.cell_fields);
         context.remark(&notes);
         let mut files = context.step(1, levels + 1, "solution.vtu", || {
@@ -81,14 +82,14 @@ impl Write {
         }
         let mut entries = Vec::new();
         for (number, level) in all.iter().take(levels).enumerate() {
-            let Level { mesh, topology, .. } = &**level;
+            let mesh = &level.mesh;
             let name = format!("level-{number}.vtu");
             let path = folder.join(&name);
             context.step(number + 2, levels + 1, &name, || {
                 if number + 1 == all.len() {
                     return write_level(&path, mesh, &derived);
                 }
-                write_level(&path, mesh, &derived_fields(state, mesh, Some(topology)))
+                write_level(&path, mesh, &derived_fields(state, mesh, &all[..=number]))
             })?;
             files.push(path);
             entries.push((number as f64, name));
@@ -149,16 +150,18 @@ fn write_sides(path: &Path, state: &State) -> Result<Option<PathBuf>, Error> {
 /// What is computed from a level to look at it: where its vertices and tets are in
 /// the mesh file; the dimension of each vertex's stratum (0 fixed, 1 curve, 2
 /// surface, 3 solid), if the features are known; the mean ratio η of each tet.
-fn derived_fields(state: &State, mesh: &TetMesh, topology: Option<&Topology>) -> DerivedFields {
-    let strata = topology.zip(mesh.features());
-    let strata = strata.map(|(topology, features)| Strata::new(mesh.raw(), topology, features));
+/// `levels` end with that one; there are none before the mesh is one.
+fn derived_fields(state: &State, mesh: &TetMesh, levels: &[Arc<Level>]) -> DerivedFields {
+    let strata = levels.last().zip(mesh.features());
+    let strata = strata.map(|(level, features)| Strata::new(mesh.raw(), &level.topology, features));
     let stratum = strata.map(|strata| {
         let dimensions = strata.vertex_dimensions.into_iter().map(i64::from).collect();
         Field::derived("stratum", Values::Integer(dimensions))
     });
     let quality = Field::derived("quality", Values::Float(mean_ratios(mesh.raw())));
     let looks = DerivedFields { points: stratum.into_iter().collect(), cells: vec![quality] };
-    looks.and(state.input_numbers.fields(mesh))
+    let refinements = levels.iter().filter_map(|level| level.refinement.as_ref());
+    looks.and(state.input_numbers.refined(refinements).fields())
 }
 
 fn size(path: &Path) -> u64 {

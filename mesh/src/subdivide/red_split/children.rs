@@ -6,15 +6,16 @@ use rayon::prelude::*;
 
 use super::edges::FineEdges;
 use super::faces::FineFaces;
+use super::parents::{Parent, Parents, Ranks};
+use super::parts::{PARTS, families_mut};
 use super::slots::{
     CHILD_EDGES, CHILD_FACES, CHILD_NODES, CUTS, DIAGONAL, EDGE_SLOTS, FACE_SLOTS, INNER,
 };
-use super::{Parent, Parents, Ranks};
 use crate::core::reference_tet::EDGES;
 use octruss_base::large_array::zeroed;
 use octruss_base::ragged::CHUNK;
 
-/// Eight children a tet, in order.
+/// The children of all tets, family after family.
 pub(super) struct Children {
     pub tets: Vec<[u32; 4]>,
     pub edges: Vec<[u32; 6]>,
@@ -23,13 +24,13 @@ pub(super) struct Children {
 
 impl Children {
     pub fn new(parents: &Parents, edges: &FineEdges, faces: &FineFaces) -> Self {
-        let count = 8 * parents.len();
+        let count = PARTS * parents.len();
         let n = parents.topology.vertex_count() as u32;
         let mut made = Self { tets: zeroed(count), edges: zeroed(count), faces: zeroed(count) };
-        let by_parent = made.tets.as_chunks_mut::<8>().0.par_iter_mut();
+        let by_parent = families_mut(&mut made.tets).par_iter_mut();
         let by_parent = by_parent
-            .zip(made.edges.as_chunks_mut::<8>().0)
-            .zip(made.faces.as_chunks_mut::<8>().0)
+            .zip(families_mut(&mut made.edges))
+            .zip(families_mut(&mut made.faces))
             .with_min_len(CHUNK)
             .enumerate();
         by_parent.for_each(|(tet, ((tets, child_edges), child_faces))| {
@@ -48,8 +49,8 @@ impl Children {
 /// nested maps of arrays are not inlined and cost several times as much.)
 #[inline]
 fn look_up<const N: usize, const SLOTS: usize>(
-    children: &mut [[u32; N]; 8],
-    table: &[[u8; N]; 8],
+    children: &mut [[u32; N]; PARTS],
+    table: &[[u8; N]; PARTS],
     numbers: &[u32; SLOTS],
 ) {
     for (child, slots) in children.iter_mut().zip(table) {

@@ -2,7 +2,7 @@
 
 use rayon::prelude::*;
 
-use super::Parents;
+use super::parents::Parents;
 use crate::core::topology::{EdgeFaces, Topology, VertexEdges};
 use octruss_base::groups::Groups;
 use octruss_base::large_array::zeroed;

@@ -5,8 +5,11 @@ use std::sync::atomic::{AtomicU32, Ordering::Relaxed};
 use rayon::prelude::*;
 
 use super::edges::{FineEdges, Inner};
-use super::slots::{BETWEEN, CUTS, DIAGONAL, INNER_CHILDREN, MIDDLE_CHILD, beside_diagonal};
-use super::{Parent, Parents};
+use super::parents::{Parent, Parents};
+use super::parts::child_of;
+use super::slots::{
+    BETWEEN, CUTS, DIAGONAL, INNER_CHILDREN, INNER_FACES, MIDDLE_CHILD, beside_diagonal,
+};
 use crate::core::reference_tet::MARKED;
 use crate::core::topology::{NONE, VertexEdges};
 use octruss_base::large_array::{defaults, zeroed};
@@ -24,7 +27,7 @@ pub(super) struct FineFaces {
     /// makes the face; so relaxed stores suffice.)
     pub middles: Vec<AtomicU32>,
     /// For each tet the faces inside it.
-    pub inner: Vec<[AtomicU32; 8]>,
+    pub inner: Vec<[AtomicU32; INNER_FACES]>,
 }
 
 /// A fine face by the last of the three coarse edges whose midpoints it joins.
@@ -226,7 +229,7 @@ struct Maker<'a> {
     parents: &'a Parents<'a>,
     fine: &'a FineEdges<'a>,
     middles: &'a [AtomicU32],
-    inner: &'a [[AtomicU32; 8]],
+    inner: &'a [[AtomicU32; INNER_FACES]],
 }
 
 impl Maker<'_> {
@@ -301,7 +304,7 @@ impl Maker<'_> {
     fn children_on(&self, face: u32, child: impl Fn(&Parent) -> u32) -> [u32; 2] {
         let mut tets = self.parents.topology.face_tets[face as usize];
         for tet in tets.iter_mut().filter(|tet| **tet != NONE) {
-            *tet = 8 * *tet + child(&self.parents.parent(*tet as usize));
+            *tet = child_of(*tet, child(&self.parents.parent(*tet as usize)));
         }
         tets
     }
@@ -312,8 +315,8 @@ impl Maker<'_> {
         let [p, q, r] = last.local;
         let second = self.fine.between(&parent, p.into(), r.into());
         let third = self.fine.between(&parent, q.into(), r.into());
-        let [low, high] = INNER_CHILDREN[usize::from(last.index)];
-        ([second, third], [8 * last.place + low, 8 * last.place + high])
+        let children = INNER_CHILDREN[usize::from(last.index)];
+        ([second, third], children.map(|child| child_of(last.place, child)))
     }
 }
 

@@ -1,6 +1,7 @@
 //! Where each edge and face of a child comes from: tables made from
 //! [`CHILDREN`] at compile time.
 
+use super::parts::PARTS;
 use crate::core::reference_tet::{CHILDREN, EDGES, FACES, edge_between};
 
 /// The 25 edges of a split tet: 2 · edge + end (0 or 1 of its ends) for halves,
@@ -15,18 +16,19 @@ pub const DIAGONAL: usize = 24;
 /// cuts off a vertex, [`INNER`] + [`beside_diagonal`] for the four at the diagonal.
 pub const FACE_SLOTS: usize = 24;
 pub const INNER: usize = 16;
+pub const INNER_FACES: usize = FACE_SLOTS - INNER;
 
 /// The nodes of each child, [`CHILDREN`] in bytes.
-pub const CHILD_NODES: [[u8; 4]; 8] = child_nodes();
+pub const CHILD_NODES: [[u8; 4]; PARTS] = child_nodes();
 
 /// The slots of each child's edges, in the order of [`EDGES`].
-pub const CHILD_EDGES: [[u8; 6]; 8] = child_edges();
+pub const CHILD_EDGES: [[u8; 6]; PARTS] = child_edges();
 
 /// The slots of each child's faces, face i opposite its vertex i.
-pub const CHILD_FACES: [[u8; 4]; 8] = child_faces();
+pub const CHILD_FACES: [[u8; 4]; PARTS] = child_faces();
 
 /// The two children on each inner face, the smaller number first.
-pub const INNER_CHILDREN: [[u32; 2]; 8] = inner_children();
+pub const INNER_CHILDREN: [[u32; 2]; INNER_FACES] = inner_children();
 
 /// The child whose face the middle of each coarse face is.
 pub const MIDDLE_CHILD: [u32; 4] = middle_child();
@@ -122,10 +124,10 @@ const fn inner_or_middle([p, q, r]: [usize; 3]) -> usize {
     }
 }
 
-const fn child_nodes() -> [[u8; 4]; 8] {
-    let mut nodes = [[0; 4]; 8];
+const fn child_nodes() -> [[u8; 4]; PARTS] {
+    let mut nodes = [[0; 4]; PARTS];
     let mut child = 0;
-    while child < 8 {
+    while child < PARTS {
         let mut place = 0;
         while place < 4 {
             nodes[child][place] = CHILDREN[child][place] as u8;
@@ -136,10 +138,10 @@ const fn child_nodes() -> [[u8; 4]; 8] {
     nodes
 }
 
-const fn child_edges() -> [[u8; 6]; 8] {
-    let mut slots = [[0; 6]; 8];
+const fn child_edges() -> [[u8; 6]; PARTS] {
+    let mut slots = [[0; 6]; PARTS];
     let mut child = 0;
-    while child < 8 {
+    while child < PARTS {
         let mut edge = 0;
         while edge < 6 {
             let [a, b] = EDGES[edge];
@@ -151,10 +153,10 @@ const fn child_edges() -> [[u8; 6]; 8] {
     slots
 }
 
-const fn child_faces() -> [[u8; 4]; 8] {
-    let mut slots = [[0; 4]; 8];
+const fn child_faces() -> [[u8; 4]; PARTS] {
+    let mut slots = [[0; 4]; PARTS];
     let mut child = 0;
-    while child < 8 {
+    while child < PARTS {
         let (nodes, mut face) = (CHILDREN[child], 0);
         while face < 4 {
             let [a, b, c] = FACES[face];
@@ -166,15 +168,15 @@ const fn child_faces() -> [[u8; 4]; 8] {
     slots
 }
 
-const fn inner_children() -> [[u32; 2]; 8] {
-    let mut children = [[8; 2]; 8];
+const fn inner_children() -> [[u32; 2]; INNER_FACES] {
+    let mut children = [[PARTS as u32; 2]; INNER_FACES];
     let mut child = 0;
-    while child < 8 {
+    while child < PARTS {
         let mut face = 0;
         while face < 4 {
             let slot = CHILD_FACES[child][face] as usize;
             if slot >= INNER {
-                let place = (children[slot - INNER][0] != 8) as usize;
+                let place = (children[slot - INNER][0] != PARTS as u32) as usize;
                 children[slot - INNER][place] = child as u32;
             }
             face += 1;
@@ -187,7 +189,7 @@ const fn inner_children() -> [[u32; 2]; 8] {
 const fn middle_child() -> [u32; 4] {
     let mut children = [0; 4];
     let mut child = 4;
-    while child < 8 {
+    while child < PARTS {
         let mut face = 0;
         while face < 4 {
             let slot = CHILD_FACES[child][face] as usize;
@@ -234,7 +236,7 @@ mod tests {
         CHILD_FACES.as_flattened().iter().for_each(|&slot| uses[usize::from(slot)] += 1);
         assert!(uses[..INNER].iter().all(|&count| count == 1));
         assert!(uses[INNER..].iter().all(|&count| count == 2));
-        assert!(INNER_CHILDREN.iter().all(|[low, high]| low < high && *high < 8));
+        assert!(INNER_CHILDREN.iter().all(|[low, high]| low < high && *high < PARTS as u32));
     }
 
     #[test]

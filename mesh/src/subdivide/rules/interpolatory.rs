@@ -2,8 +2,8 @@
 
 use super::add_ends;
 use crate::refinement::subdivision_matrix::Row;
+use crate::scheme::MarkedRule;
 use crate::subdivide::neighbourhoods::Neighbourhoods;
-use crate::subdivide::scheme::MarkedRule;
 
 /// ½ the ends, (M/N) w each of the N link vertices q, −w each of the M distinct
 /// apexes r across the outer faces of the tets round the edge (5.7).

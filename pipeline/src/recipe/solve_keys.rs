@@ -85,8 +85,8 @@ fn refusal(key: &str, equation: Equation, label: &str) -> String {
     let owner = Equation::ALL.into_iter().find(|other| other.keys().contains(&key));
     if let Some(owner) = owner {
         let (owner, name) = (owner.name(), equation.name());
-        let shared = |key: &&&str| !Equation::ALL.iter().all(|other| other.keys().contains(*key));
-        let own: Vec<&str> = equation.keys().iter().filter(shared).copied().collect();
+        let is_own = |key: &&&str| !Equation::ALL.iter().all(|other| other.keys().contains(*key));
+        let own: Vec<&str> = equation.keys().iter().filter(is_own).copied().collect();
         return format!(
             "stage `{label}`: `{key}` belongs to problem = \"{owner}\", but this stage solves \
              \"{name}\" (keys of its own: {})",

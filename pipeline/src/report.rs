@@ -1,11 +1,10 @@
 //! What a run did, as `report.json` tells it. The names of the keys are a
 //! promise to scripts.
 
-use std::path::PathBuf;
-
 use serde::Serialize;
 use serde_json::Value;
 
+use crate::error::UnfinishedSolve;
 use crate::recipe::Outcome;
 use crate::stages::Done;
 
@@ -30,40 +29,7 @@ pub struct Report {
     /// The solve that did not reach its goal, if one did not; `stages` are those
     /// before it.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub unfinished: Option<Unfinished>,
-}
-
-/// A solve that stopped before its goal: asked to, out of iterations, or because the
-/// system is not positive definite.
-#[derive(Debug, Clone, PartialEq, Serialize, thiserror::Error)]
-#[error(
-    "stage `{stage}`, {what}: {reason}; the last residuals: {}; the iterate with the smallest \
-     is in {}",
-    last_of(residual_history), file.display()
-)]
-pub struct Unfinished {
-    /// The stage's label.
-    pub stage: String,
-    /// Which of its solves.
-    pub what: String,
-    /// Why it stopped.
-    pub reason: String,
-    /// Iterations done.
-    pub iterations: usize,
-    /// ‖b − A x‖ / ‖b‖ of the iterate that was kept.
-    pub relative_residual: f64,
-    /// Relative residuals from that of the start (1 of zero) on, one more than
-    /// iterations.
-    pub residual_history: Vec<f64>,
-    /// The finest mesh with the iterate.
-    pub file: PathBuf,
-}
-
-/// The end of a residual history: whether the iteration was slow, stood still or blew
-/// up.
-fn last_of(history: &[f64]) -> String {
-    let last = &history[history.len().saturating_sub(5)..];
-    last.iter().map(|residual| format!("{residual:.1e}")).collect::<Vec<_>>().join(", ")
+    pub unfinished: Option<UnfinishedSolve>,
 }
 
 /// What one stage did.

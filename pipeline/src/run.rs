@@ -4,9 +4,9 @@ use std::path::Path;
 use std::sync::atomic::AtomicBool;
 use std::time::Instant;
 
-use crate::error::Error;
+use crate::error::{Error, Source};
 use crate::observer::{Event, Observer, StagePlace};
-use crate::recipe::{Recipe, Source, compare, stage_labels};
+use crate::recipe::{Recipe, compare, stage_labels};
 use crate::report::{Report, StageReport};
 use crate::stages::{Context, Stage};
 use crate::state::State;

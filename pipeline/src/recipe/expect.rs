@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::error::{ConfigError, Place};
+use crate::error::{ConfigError, Place};
 use crate::report::Report;
 use octruss_base::suggestion::suggestion;
 

@@ -4,9 +4,8 @@ use std::ops::Range;
 
 use toml::de::{DeValue, Error};
 
-use super::error::ConfigError;
-use super::source::Source;
 use super::tree::Tree;
+use crate::error::{ConfigError, Source};
 use octruss_base::suggestion::suggestion;
 
 /// An error of deserialisation with its place, its key and, for an unknown

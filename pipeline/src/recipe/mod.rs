@@ -7,7 +7,6 @@
 //! Every value keeps its place in the text up to the end, so that each error
 //! points at a file, a line and a key.
 
-mod error;
 mod expect;
 mod explain;
 mod labels;
@@ -19,7 +18,6 @@ mod parse;
 mod per_region;
 mod several;
 mod solve_keys;
-mod source;
 mod tree;
 mod value;
 mod value_or;
@@ -28,7 +26,6 @@ use std::path::{Path, PathBuf};
 
 use toml::Spanned;
 
-pub use error::{ConfigError, Place};
 pub use expect::{Bounds, Expectation, Outcome, compare};
 pub use material::MaterialKeys;
 pub use min_quality::MinQuality;
@@ -37,11 +34,11 @@ pub use octruss_base::suggestion::suggestion;
 pub use option_names::option_names;
 pub use per_region::{PerRegion, Regional};
 pub use several::Several;
-pub use source::Source;
 pub use value::{Degrees, Ends, Fraction, Value, VectorValue};
 pub use value_or::{ValueOr, ValueOrVector};
 
 use crate::comparison::Compare;
+use crate::error::{ConfigError, Place, Source};
 use crate::stages::Stage;
 
 /// A scheme with its usual parameters, by its name.

@@ -9,10 +9,9 @@
 use toml::Spanned;
 use toml::de::{DeString, DeTable, DeValue};
 
-use super::error::ConfigError;
 use super::labels::labels_of_trees;
-use super::source::{Override, Source};
 use super::tree::Tree;
+use crate::error::{ConfigError, Override, Source};
 use octruss_base::suggestion::suggestion;
 
 /// Puts one override into a parsed config.

@@ -9,16 +9,15 @@ use serde::de::IgnoredAny;
 use toml::Spanned;
 use toml::de::{DeArray, DeTable, DeValue, ValueDeserializer};
 
-use super::error::ConfigError;
 use super::expect::{Bounds, Expectation};
 use super::explain::explain;
 use super::labels::labels_of_trees;
 use super::overrides::apply;
 use super::solve_keys::sort_keys;
-use super::source::Source;
 use super::tree::Tree;
 use super::{Recipe, suggestion};
 use crate::comparison::Compare;
+use crate::error::{ConfigError, Source};
 use crate::stages::{Contradiction, Stage, Where};
 
 /// All of a config but its stages.

@@ -7,11 +7,10 @@ use octruss_fem::Options;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
-use super::error::ConfigError;
 use super::option_names::option_names;
-use super::source::Source;
 use super::suggestion;
 use super::tree::Tree;
+use crate::error::{ConfigError, Source};
 use crate::stages::{Equation, Solve};
 
 type Table<'a> = DeTable<'a>;

@@ -42,10 +42,9 @@ pub use subdivide_report::{
 };
 pub use write::{Write, WriteReport};
 
-use crate::error::Error;
+use crate::error::{Error, Source};
 use crate::mesh_phase::Missing;
 use crate::observer::{Event, Observer, StagePlace};
-use crate::recipe::Source;
 use crate::state::State;
 
 /// One step with its options.

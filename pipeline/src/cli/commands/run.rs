@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 use std::sync::atomic::{AtomicBool, Ordering};
 
-use octruss::recipe::{ConfigError, Place};
+use octruss::error::{ConfigError, Place};
 use octruss::{Error, Recipe, Report, amount};
 
 use crate::cli::display::Display;

@@ -5,9 +5,8 @@ use octruss_mesh::TetMesh;
 use octruss_meshio::{Dataset, Field, vtu};
 use octruss_solver::SolveReport;
 
-use crate::error::Error;
+use crate::error::{Error, UnfinishedSolve};
 use crate::output::{UNFINISHED, create_folder};
-use crate::report::Unfinished;
 use crate::stages::Context;
 
 /// Writes the best iterate as `unfinished.vtu` on the finest mesh; tells where it is
@@ -28,7 +27,7 @@ pub(super) fn keep(
     if let Err(error) = written {
         return error;
     }
-    Error::Unfinished(Box::new(Unfinished {
+    Error::Unfinished(Box::new(UnfinishedSolve {
         stage: context.stage.label.clone(),
         what: what.into(),
         reason: reason.to_string(),

@@ -3,7 +3,7 @@
 use std::ops::Range;
 use std::path::{Path, PathBuf};
 
-use super::error::{ConfigError, Place};
+use super::config_error::{ConfigError, Place};
 
 /// A config file and the overrides of the command line as one numbered text,
 /// so that any byte range says where it came from.

@@ -5,8 +5,8 @@ use std::path::PathBuf;
 use octruss_mesh::CheckError;
 use octruss_mesh::SubdivideError;
 
-use crate::recipe::ConfigError;
-use crate::report::Unfinished;
+use super::config_error::ConfigError;
+use super::unfinished_solve::UnfinishedSolve;
 
 /// Why a run stopped.
 #[derive(Debug, thiserror::Error)]
@@ -46,7 +46,7 @@ pub enum Error {
     },
     /// A solve did not reach its goal; its best iterate is kept.
     #[error(transparent)]
-    Unfinished(Box<Unfinished>),
+    Unfinished(Box<UnfinishedSolve>),
     /// The run was asked to stop between two stages.
     #[error("stopped on request before stage `{stage}`")]
     Stopped {

@@ -42,6 +42,7 @@ pub mod input_numbers;
 pub mod memory;
 pub mod mesh_phase;
 pub mod observer;
+pub mod options;
 pub mod output;
 pub mod recipe;
 pub mod report;

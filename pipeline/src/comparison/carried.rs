@@ -8,8 +8,7 @@ use octruss_solver::{Nodal, dot, kernels, norm};
 use serde::Serialize;
 
 use super::attempt::attempt;
-use super::plan::Geometry;
-use crate::recipe::Choice;
+use crate::options::{Choice, Geometry};
 use crate::stages::Context;
 
 /// How near a carried solution comes to the one computed.

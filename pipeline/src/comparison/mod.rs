@@ -23,7 +23,6 @@ use octruss_meshio::write_aside;
 use serde::Serialize;
 
 pub use carried::Carried;
-pub use plan::{Compare, Geometry};
 pub use row::Row;
 pub use study::compare;
 

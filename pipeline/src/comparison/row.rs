@@ -9,8 +9,7 @@ use octruss_solver::{
 use serde::Serialize;
 
 use super::attempt::attempt;
-use super::plan::Geometry;
-use crate::recipe::Choice;
+use crate::options::{Choice, Geometry};
 use crate::stages::{Context, MethodFigures};
 
 /// A variant on a level. Iterations are those of conjugate gradients for noise on the

@@ -9,12 +9,12 @@ use octruss_mesh::{Hierarchy, Scheme};
 
 use super::Comparison;
 use super::carried::{self, Carried};
-use super::plan::{Compare, Geometry};
 use super::row::{LevelStudy, Row};
 use super::verdict::verdict;
 use crate::error::{ConfigError, Error, Place};
 use crate::observer::{Event, Observer, StagePlace};
-use crate::recipe::{Choice, Named, Recipe};
+use crate::options::{Choice, Compare, Geometry, Named};
+use crate::recipe::Recipe;
 use crate::run::run_into;
 use crate::stages::solve::{biharmonic, elasticity, poisson};
 use crate::stages::{Context, Problem, Solve, Stage, Subdivide};

@@ -2,11 +2,11 @@
 
 use std::ops::Range;
 
+use octruss_base::suggestion::suggestion;
 use toml::de::{DeValue, Error};
 
 use super::tree::Tree;
 use crate::error::{ConfigError, Source};
-use octruss_base::suggestion::suggestion;
 
 /// An error of deserialisation with its place, its key and, for an unknown
 /// name, the nearest valid one. `stage` is the label of the stage being read.
@@ -73,7 +73,7 @@ mod tests {
     use serde::Deserialize;
 
     use super::{in_plain_words, quoted_names};
-    use crate::comparison::Compare;
+    use crate::options::Compare;
 
     #[derive(Debug, Default, Deserialize)]
     #[serde(deny_unknown_fields, default)]

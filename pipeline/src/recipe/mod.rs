@@ -10,39 +10,20 @@
 mod expect;
 mod explain;
 mod labels;
-mod material;
-mod min_quality;
-mod option_names;
 mod overrides;
 mod parse;
-mod per_region;
-mod several;
 mod solve_keys;
 mod tree;
-mod value;
-mod value_or;
 
 use std::path::{Path, PathBuf};
 
 use toml::Spanned;
 
 pub use expect::{Bounds, Expectation, Outcome, compare};
-pub use material::MaterialKeys;
-pub use min_quality::MinQuality;
-pub use octruss_base::choice::{Auto, Choice, Named};
-pub use octruss_base::suggestion::suggestion;
-pub use option_names::option_names;
-pub use per_region::{PerRegion, Regional};
-pub use several::Several;
-pub use value::{Degrees, Ends, Fraction, Value, VectorValue};
-pub use value_or::{ValueOr, ValueOrVector};
 
-use crate::comparison::Compare;
 use crate::error::{ConfigError, Place, Source};
+use crate::options::Compare;
 use crate::stages::Stage;
-
-/// A scheme with its usual parameters, by its name.
-pub type SchemeName = Named<octruss_mesh::Scheme>;
 
 /// A named list of stages with expected numbers.
 #[derive(Debug, Clone, PartialEq)]

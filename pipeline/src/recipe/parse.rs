@@ -9,15 +9,15 @@ use serde::de::IgnoredAny;
 use toml::Spanned;
 use toml::de::{DeArray, DeTable, DeValue, ValueDeserializer};
 
+use super::Recipe;
 use super::expect::{Bounds, Expectation};
 use super::explain::explain;
 use super::labels::labels_of_trees;
 use super::overrides::apply;
 use super::solve_keys::sort_keys;
 use super::tree::Tree;
-use super::{Recipe, suggestion};
-use crate::comparison::Compare;
 use crate::error::{ConfigError, Source};
+use crate::options::{Compare, suggestion};
 use crate::stages::{Contradiction, Stage, Where};
 
 /// All of a config but its stages.

@@ -7,10 +7,9 @@ use octruss_fem::Options;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
-use super::option_names::option_names;
-use super::suggestion;
 use super::tree::Tree;
 use crate::error::{ConfigError, Source};
+use crate::options::{option_names, suggestion};
 use crate::stages::{Equation, Solve};
 
 type Table<'a> = DeTable<'a>;

@@ -6,7 +6,7 @@ use toml::Spanned;
 
 use super::Context;
 use crate::error::Error;
-use crate::recipe::{PerRegion, suggestion};
+use crate::options::{PerRegion, suggestion};
 
 /// The ids of the groups called `name` in dimension 2 (surfaces) or 3
 /// (regions) that some simplex belongs to.

@@ -6,7 +6,7 @@ use toml::Spanned;
 
 use super::Context;
 use crate::error::Error;
-use crate::recipe::suggestion;
+use crate::options::suggestion;
 use crate::state::{SidedFields, State, floats};
 
 /// Where the values of a side come from.

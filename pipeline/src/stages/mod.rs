@@ -31,7 +31,6 @@ pub use solve::body::{BodyFigures, Force, ForceFigures, SurfaceForce};
 pub use solve::elasticity::ElasticityKeys;
 pub use solve::figures::{MethodFigures, SolveFigures, TransferFigures};
 pub use solve::fixed::Fixed;
-pub use solve::on_surface::{OnSurface, RobinOnSurface, Springs, VectorOnSurface};
 pub use solve::poisson::PoissonKeys;
 pub use solve::problem::{Equation, Problem};
 pub use solve::stage::{Solve, SolveStageReport};

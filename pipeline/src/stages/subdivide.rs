@@ -15,7 +15,7 @@ use super::groups::group_ids;
 use super::jumps::start_jumps;
 use super::subdivide_report::{LevelReport, Strata, SubdivideReport};
 use crate::error::Error;
-use crate::recipe::{Degrees, Ends, Fraction, MinQuality, Named, SchemeName};
+use crate::options::{Degrees, Ends, Fraction, MinQuality, Named, SchemeName};
 use crate::state::State;
 
 /// Refines every tet into eight, some times over. The marking and what stays

@@ -4,7 +4,7 @@ use std::io::Write;
 use std::path::{Path, PathBuf};
 
 use clap::Args;
-use octruss::recipe::{Degrees, SchemeName};
+use octruss::options::{Degrees, SchemeName};
 use octruss_mesh::analysis::{LineSample, basis_function, sample_line};
 use octruss_mesh::most_levels;
 use octruss_mesh::{FeatureOptions, Hierarchy};

@@ -3,8 +3,8 @@
 use std::path::{Path, PathBuf};
 
 use octruss::Error;
+use octruss::options::{Degrees, MinQuality, Named, SchemeName};
 use octruss::output::write_with_surfaces;
-use octruss::recipe::{Degrees, MinQuality, Named, SchemeName};
 use octruss::run::run_stages;
 use octruss::stages::{Check, Import, Stage, Subdivide};
 use octruss_mesh::{Diagonal, Marking};

@@ -4,7 +4,7 @@ use std::fmt::Write;
 use std::path::{Path, PathBuf};
 
 use clap::{Args, ValueEnum};
-use octruss::recipe::{Degrees, SchemeName};
+use octruss::options::{Degrees, SchemeName};
 use octruss_mesh::TetMesh;
 use octruss_mesh::analysis::{
     CharacteristicMap, LocalMatrix, MapVerdict, Spectrum as Eigenvalues, Verdict, at_midpoint,

@@ -7,7 +7,7 @@ use toml::Spanned;
 
 use super::fixed::{Fixed, fixed_values};
 use crate::error::Error;
-use crate::recipe::{PerRegion, Value};
+use crate::options::{PerRegion, Value};
 use crate::stages::Context;
 use crate::stages::groups::by_region;
 

@@ -8,10 +8,11 @@ use toml::Spanned;
 use super::body::Body;
 use super::fixed::Fixed;
 use super::in_turn::{blank_outside, discretise, solve_in_turn};
-use super::on_surface::{OnSurface, Springs, VectorOnSurface};
 use super::stage::{Outcome, Solve};
 use crate::error::Error;
-use crate::recipe::{MaterialKeys, PerRegion, Value, ValueOrVector, VectorValue};
+use crate::options::{
+    MaterialKeys, OnSurface, PerRegion, Springs, Value, ValueOrVector, VectorOnSurface, VectorValue,
+};
 use crate::stages::Context;
 use crate::stages::groups::{by_region, on_surfaces};
 

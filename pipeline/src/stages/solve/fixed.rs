@@ -7,7 +7,7 @@ use toml::Spanned;
 
 use super::problem::Equation;
 use crate::error::Error;
-use crate::recipe::{Value, ValueOrVector};
+use crate::options::{Value, ValueOrVector};
 use crate::stages::Context;
 use crate::stages::groups::on_surfaces;
 

@@ -10,7 +10,6 @@ pub mod elasticity;
 pub mod figures;
 pub mod fixed;
 pub mod in_turn;
-pub mod on_surface;
 pub mod poisson;
 pub mod problem;
 pub mod stage;

@@ -6,9 +6,8 @@ use serde::Deserialize;
 use toml::Spanned;
 
 use super::fixed::{Fixed, fixed_values};
-use super::on_surface::{OnSurface, RobinOnSurface};
 use crate::error::Error;
-use crate::recipe::{PerRegion, Value};
+use crate::options::{OnSurface, PerRegion, RobinOnSurface, Value};
 use crate::stages::Context;
 use crate::stages::groups::{by_region, on_surfaces};
 

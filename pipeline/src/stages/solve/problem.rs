@@ -1,13 +1,13 @@
 //! Which equation a stage solves, with the keys that belong to it.
 
 use serde::{Deserialize, Serialize};
+use toml::Spanned;
 
 use super::biharmonic::BiharmonicKeys;
 use super::elasticity::ElasticityKeys;
 use super::fixed::Fixed;
 use super::poisson::PoissonKeys;
-use crate::recipe::option_names;
-use toml::Spanned;
+use crate::options::option_names;
 
 /// An equation with its data, by the names that a config uses.
 #[derive(Debug, Clone, PartialEq, Deserialize)]

@@ -10,7 +10,7 @@ use super::figures::SolveFigures;
 use super::problem::{Equation, Problem};
 use super::{biharmonic, elasticity, in_turn, poisson};
 use crate::error::Error;
-use crate::recipe::Several;
+use crate::options::Several;
 use crate::stages::{Context, Contradiction};
 use crate::state::State;
 

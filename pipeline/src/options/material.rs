@@ -1,11 +1,11 @@
 //! Materials as configs give them.
 
+use octruss_base::suggestion::suggestion;
 use toml::Spanned;
 
-use super::per_region::PerRegion;
+use super::per_region::{PerRegion, Regional};
 use super::value::Value;
 use super::value_or::ValueOr;
-use octruss_base::suggestion::suggestion;
 
 /// An isotropic elastic material.
 #[derive(Debug, Clone, PartialEq, serde::Deserialize)]
@@ -20,6 +20,14 @@ pub struct MaterialKeys {
     pub density: Value,
 }
 
+impl Regional for MaterialKeys {
+    const WHAT: &'static str = "a table with `young`, `poisson` and perhaps `density`";
+    type Entry = ValueOr<Self>;
+    fn from_table(table: Vec<(Spanned<String>, ValueOr<Self>)>) -> Result<PerRegion<Self>, String> {
+        MaterialKeys::one_or_by_region(table)
+    }
+}
+
 impl MaterialKeys {
     const KEYS: [&'static str; 3] = ["young", "poisson", "density"];
 
@@ -28,7 +36,7 @@ impl MaterialKeys {
     }
 
     /// A table of materials, or of the numbers of one.
-    pub(super) fn one_or_by_region(
+    fn one_or_by_region(
         table: Vec<(Spanned<String>, ValueOr<Self>)>,
     ) -> Result<PerRegion<Self>, String> {
         let (mut named, mut numbers) = (Vec::new(), Vec::new());

@@ -15,7 +15,7 @@ use serde::forward_to_deserialize_any;
 /// struct Options {
 ///     max_iterations: usize,
 /// }
-/// assert_eq!(octruss::recipe::option_names::<Options>(), ["max-iterations"]);
+/// assert_eq!(octruss::options::option_names::<Options>(), ["max-iterations"]);
 /// ```
 pub fn option_names<'de, T: Deserialize<'de>>() -> &'static [&'static str] {
     let mut names: &'static [&'static str] = &[];

@@ -5,12 +5,12 @@ use std::str::FromStr;
 
 use serde::de::{Deserialize, Deserializer, Error, Visitor};
 
-use super::Fraction;
+use super::value::Fraction;
 
 /// A mean ratio η that no tet may fall below, or none.
 ///
 /// ```
-/// use octruss::recipe::MinQuality;
+/// use octruss::options::MinQuality;
 /// assert_eq!("0.2".parse(), Ok(MinQuality::Floor(0.2)));
 /// assert_eq!("off".parse(), Ok(MinQuality::Off));
 /// assert!("on".parse::<MinQuality>().is_err());

@@ -3,7 +3,7 @@
 use serde::Deserialize;
 use toml::Spanned;
 
-use crate::recipe::{Value, ValueOrVector, VectorValue};
+use crate::options::{Value, ValueOrVector, VectorValue};
 
 /// A number or expression on a named surface.
 #[derive(Debug, Clone, PartialEq, Deserialize)]

@@ -9,9 +9,7 @@ use serde::de::{
 };
 use toml::Spanned;
 
-use super::material::MaterialKeys;
 use super::value::{Value, VectorValue};
-use super::value_or::ValueOr;
 
 /// One value for all regions, or one for each that is named.
 #[derive(Debug, Clone, PartialEq)]
@@ -54,14 +52,6 @@ impl Regional for VectorValue {
     type Entry = Self;
     fn from_table(table: Vec<(Spanned<String>, Self)>) -> Result<PerRegion<Self>, String> {
         Ok(PerRegion::Named(table))
-    }
-}
-
-impl Regional for MaterialKeys {
-    const WHAT: &'static str = "a table with `young`, `poisson` and perhaps `density`";
-    type Entry = ValueOr<Self>;
-    fn from_table(table: Vec<(Spanned<String>, ValueOr<Self>)>) -> Result<PerRegion<Self>, String> {
-        MaterialKeys::one_or_by_region(table)
     }
 }
 

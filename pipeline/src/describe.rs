@@ -5,9 +5,11 @@ use std::borrow::Cow;
 use octruss_mesh::components::first_tets;
 use octruss_mesh::quality::{QualitySummary, summarise};
 use octruss_mesh::reference_tet::six_volumes;
-use octruss_mesh::{Finding, FindingKind, RawMesh, Tagged, Topology, findings};
+use octruss_mesh::{FindingKind, RawMesh, Tagged, Topology, findings};
 use octruss_meshio::{Dataset, Field};
 use serde::Serialize;
+
+use crate::report::FindingReport;
 
 /// What `octruss info` tells. Tets and tagged simplices that name vertices
 /// which do not exist are counted in `findings` alone.
@@ -101,30 +103,6 @@ pub struct FieldReport {
     pub name: String,
     /// Values a vertex or tet.
     pub components: usize,
-}
-
-/// A finding by name.
-#[derive(Debug, Clone, PartialEq, Serialize)]
-pub struct FindingReport {
-    /// The kind, in kebab case.
-    pub kind: &'static str,
-    /// How often.
-    pub count: usize,
-    /// The first few places, as numbers of tets or vertices from 0.
-    pub examples: Vec<u32>,
-    /// All that, and what to do, in a sentence.
-    pub message: String,
-}
-
-impl From<&Finding> for FindingReport {
-    fn from(finding: &Finding) -> Self {
-        Self {
-            kind: finding.kind.name(),
-            count: finding.count,
-            examples: finding.examples.clone(),
-            message: finding.to_string(),
-        }
-    }
 }
 
 impl From<QualitySummary> for Quality {

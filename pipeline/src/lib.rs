@@ -41,6 +41,7 @@ pub mod expression;
 pub mod input_numbers;
 pub mod memory;
 pub mod mesh_phase;
+mod null;
 pub mod observer;
 pub mod options;
 pub mod output;

@@ -1,12 +1,10 @@
 //! The output folder and what goes there.
 
-use std::io::Write;
 use std::path::{Path, PathBuf};
 
-use octruss_meshio::{Dataset, Format, vtu, write_aside};
+use octruss_meshio::{Dataset, Format, vtu};
 
 use crate::error::Error;
-use crate::report::Report;
 
 /// Makes sure, before hours of work, that a folder can be made or written,
 /// without leaving a trace.
@@ -77,15 +75,4 @@ pub fn write_with_surfaces(path: &Path, dataset: &Dataset) -> Result<Vec<PathBuf
         files.push(beside);
     }
     Ok(files)
-}
-
-/// Writes `report.json`.
-///
-/// # Errors
-/// If the folder cannot be made or the file not be written.
-pub fn write_report(folder: &Path, report: &Report) -> Result<(), Error> {
-    create_folder(folder)?;
-    let text = serde_json::to_string_pretty(report).expect("a report has only string keys");
-    write_aside(&folder.join("report.json"), |file| writeln!(file, "{text}"))?;
-    Ok(())
 }

@@ -7,7 +7,7 @@ use std::time::Instant;
 use crate::error::{Error, Source};
 use crate::observer::{Event, Observer, StagePlace};
 use crate::recipe::{Recipe, compare, stage_labels};
-use crate::report::{Report, StageReport};
+use crate::report::{Report, SCHEMA, StageReport};
 use crate::stages::{Context, Stage};
 use crate::state::State;
 use crate::{memory, output};
@@ -43,7 +43,8 @@ pub fn run(
         Err(error) => return Err(error),
     };
     let mut report = Report {
-        octruss: env!("CARGO_PKG_VERSION"),
+        schema: SCHEMA,
+        octruss: env!("CARGO_PKG_VERSION").into(),
         config: recipe.name.clone(),
         threads: rayon::current_num_threads(),
         seconds: start.elapsed().as_secs_f64(),
@@ -53,12 +54,12 @@ pub fn run(
         unfinished: unfinished.as_deref().cloned(),
     };
     if let Some(solve) = unfinished {
-        output::write_report(output_folder, &report)?;
+        report.write(output_folder)?;
         return Err(Error::Unfinished(solve));
     }
     let compared = compare(&recipe.expectations, &report);
     report.expectations = compared.as_ref().map_or_else(|_| Vec::new(), Clone::clone);
-    output::write_report(output_folder, &report)?;
+    report.write(output_folder)?;
     compared?;
     Ok(report)
 }

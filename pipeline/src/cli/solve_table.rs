@@ -2,7 +2,7 @@
 
 use octruss::Report;
 use octruss::amount::short;
-use octruss::stages::{Done, SolveFigures};
+use octruss::report::{Done, SolveFigures};
 use octruss::table::table;
 
 /// One table a solve stage, one column a prolongation.

@@ -1,7 +1,7 @@
 //! Where the time of a cycle goes, of the solves that were asked to tell.
 
 use octruss::Report;
-use octruss::stages::{Done, KernelFigures, TrafficFigures};
+use octruss::report::{Done, KernelFigures, TrafficFigures};
 use octruss::table::table;
 
 /// One table a solve with an traffic.

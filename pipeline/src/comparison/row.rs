@@ -10,7 +10,8 @@ use serde::Serialize;
 
 use super::attempt::attempt;
 use crate::options::{Choice, Geometry};
-use crate::stages::{Context, MethodFigures};
+use crate::report::MethodFigures;
+use crate::stages::Context;
 
 /// A variant on a level. Iterations are those of conjugate gradients for noise on the
 /// right; reductions are of the energy norm of the error by the cycle alone.

@@ -72,6 +72,14 @@ pub enum Error {
         /// The kind of stage that is missing.
         needs: &'static str,
     },
+    /// A report could not be read back.
+    #[error("cannot read the report {}: {reason}", path.display())]
+    Report {
+        /// The file.
+        path: PathBuf,
+        /// Why.
+        reason: String,
+    },
     /// The output folder cannot be made or written.
     #[error("cannot write to {}: {reason}", path.display())]
     Output {

@@ -2,11 +2,13 @@
 
 use std::path::PathBuf;
 
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
+
+use crate::null::{null_as_nan, nulls_as_nan};
 
 /// A solve that stopped before its goal: asked to, out of iterations, or because the
 /// system is not positive definite.
-#[derive(Debug, Clone, PartialEq, Serialize, thiserror::Error)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, thiserror::Error)]
 #[error(
     "stage `{stage}`, {what}: {reason}; the last residuals: {}; the iterate with the smallest \
      is in {}",
@@ -22,9 +24,11 @@ pub struct UnfinishedSolve {
     /// Iterations done.
     pub iterations: usize,
     /// ‖b − A x‖ / ‖b‖ of the iterate that was kept.
+    #[serde(deserialize_with = "null_as_nan")]
     pub relative_residual: f64,
     /// Relative residuals from that of the start (1 of zero) on, one more than
     /// iterations.
+    #[serde(deserialize_with = "nulls_as_nan")]
     pub residual_history: Vec<f64>,
     /// The finest mesh with the iterate.
     pub file: PathBuf,

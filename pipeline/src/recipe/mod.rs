@@ -19,7 +19,7 @@ use std::path::{Path, PathBuf};
 
 use toml::Spanned;
 
-pub use expect::{Bounds, Expectation, Outcome, compare};
+pub use expect::{Expectation, compare};
 
 use crate::error::{ConfigError, Place, Source};
 use crate::options::Compare;

@@ -10,7 +10,7 @@ use toml::Spanned;
 use toml::de::{DeArray, DeTable, DeValue, ValueDeserializer};
 
 use super::Recipe;
-use super::expect::{Bounds, Expectation};
+use super::expect::Expectation;
 use super::explain::explain;
 use super::labels::labels_of_trees;
 use super::overrides::apply;
@@ -18,6 +18,7 @@ use super::solve_keys::sort_keys;
 use super::tree::Tree;
 use crate::error::{ConfigError, Source};
 use crate::options::{Compare, suggestion};
+use crate::report::Bounds;
 use crate::stages::{Contradiction, Stage, Where};
 
 /// All of a config but its stages.

@@ -1,15 +1,15 @@
 //! From what a file says to a mesh that can be worked with.
 
-use octruss_mesh::{CheckOptions, Checked, Finding};
+use octruss_mesh::{CheckOptions, Checked};
 use octruss_meshio::Field;
-use serde::{Deserialize, Serialize};
+use serde::Deserialize;
 
 use super::Context;
 use super::corner_fields::CornerFields;
-use crate::describe::FindingReport;
 use crate::error::Error;
 use crate::input_numbers::InputNumbers;
 use crate::mesh_phase::MeshPhase;
+use crate::report::{CheckReport, FindingReport};
 use crate::state::State;
 
 /// Refuses a mesh that refining and solving cannot live with; drops vertices
@@ -19,19 +19,6 @@ use crate::state::State;
 pub struct Check {
     /// Turn inverted tets over instead of refusing them.
     pub reorient: bool,
-}
-
-/// What was found; nothing of it stopped the run.
-#[derive(Debug, Clone, PartialEq, Serialize)]
-pub struct CheckReport {
-    /// Vertices kept.
-    pub vertices: usize,
-    /// Tets, all of positive volume.
-    pub tets: usize,
-    /// Repaired faults and remarks.
-    pub findings: Vec<FindingReport>,
-    #[serde(skip)]
-    messages: Vec<String>,
 }
 
 impl Check {
@@ -59,15 +46,8 @@ impl Check {
             vertices: mesh.points().len(),
             tets: mesh.tets().len(),
             findings: findings.iter().map(FindingReport::from).collect(),
-            messages: findings.iter().map(Finding::to_string).collect(),
         };
         state.mesh = MeshPhase::Checked(mesh);
         Ok(report)
-    }
-}
-
-impl CheckReport {
-    pub(super) fn summary(&self) -> String {
-        if self.messages.is_empty() { "sound".into() } else { self.messages.join("\n  ") }
     }
 }

@@ -2,12 +2,12 @@
 
 use std::path::PathBuf;
 
-use serde::{Deserialize, Serialize};
+use serde::Deserialize;
 
 use super::Context;
-use crate::amount::short;
 use crate::error::Error;
 use crate::mesh_phase::MeshPhase;
+use crate::report::ImportReport;
 use crate::state::State;
 
 /// Reads a mesh file: Gmsh `.msh`, VTK `.vtu` or `.vtk`, Medit `.mesh`.
@@ -16,19 +16,6 @@ use crate::state::State;
 pub struct Import {
     /// The file, relative to the config.
     pub path: PathBuf,
-}
-
-/// What was read.
-#[derive(Debug, Clone, PartialEq, Serialize)]
-pub struct ImportReport {
-    /// The file.
-    pub path: PathBuf,
-    /// Points in the file.
-    pub vertices: usize,
-    /// Tets in the file.
-    pub tets: usize,
-    /// What the reader left out or changed.
-    pub notes: Vec<String>,
 }
 
 impl Import {
@@ -44,12 +31,5 @@ impl Import {
         };
         *state = State { path, mesh: MeshPhase::Imported(dataset), ..State::default() };
         Ok(report)
-    }
-}
-
-impl ImportReport {
-    pub(super) fn summary(&self) -> String {
-        let (vertices, tets) = (short(self.vertices), short(self.tets));
-        format!("{}: {vertices} vertices, {tets} tets", self.path.display())
     }
 }

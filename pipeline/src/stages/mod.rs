@@ -1,17 +1,16 @@
 //! The steps of a run: one file each, with its options, what it does and what
 //! it reports.
 
-mod carried_fields;
 mod check;
 mod contradiction;
 mod corner_fields;
+mod field_notes;
 mod groups;
 mod import;
 mod jumps;
 pub(crate) mod solve;
 mod stale;
 mod subdivide;
-mod subdivide_report;
 mod write;
 
 use std::ops::ControlFlow;
@@ -19,31 +18,25 @@ use std::path::Path;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Instant;
 
-use serde::{Deserialize, Serialize};
+use serde::Deserialize;
 use toml::Spanned;
 
-pub use carried_fields::{CarriedFields, FieldFigures};
-pub use check::{Check, CheckReport};
+pub use check::Check;
 pub use contradiction::{Contradiction, Where};
-pub use import::{Import, ImportReport};
+pub use import::Import;
 pub use solve::biharmonic::BiharmonicKeys;
-pub use solve::body::{BodyFigures, Force, ForceFigures, SurfaceForce};
 pub use solve::elasticity::ElasticityKeys;
-pub use solve::figures::{MethodFigures, SolveFigures, TransferFigures};
 pub use solve::fixed::Fixed;
 pub use solve::poisson::PoissonKeys;
 pub use solve::problem::{Equation, Problem};
-pub use solve::stage::{Solve, SolveStageReport};
-pub use solve::traffic::{KernelFigures, TrafficFigures};
+pub use solve::stage::Solve;
 pub use subdivide::Subdivide;
-pub use subdivide_report::{
-    GuardFigures, LevelReport, MarkingFigures, ReasonCounts, Strata, SubdivideReport,
-};
-pub use write::{Write, WriteReport};
+pub use write::Write;
 
 use crate::error::{Error, Source};
 use crate::mesh_phase::Missing;
 use crate::observer::{Event, Observer, StagePlace};
+use crate::report::Done;
 use crate::state::State;
 
 /// One step with its options.
@@ -60,22 +53,6 @@ pub enum Stage {
     Solve(Box<Solve>),
     /// Writes meshes and fields for ParaView.
     Write(Write),
-}
-
-/// What one step did.
-#[derive(Debug, Clone, PartialEq, Serialize)]
-#[serde(untagged)]
-pub enum Done {
-    /// Of [`Stage::Import`].
-    Import(ImportReport),
-    /// Of [`Stage::Check`].
-    Check(CheckReport),
-    /// Of [`Stage::Subdivide`].
-    Subdivide(Box<SubdivideReport>),
-    /// Of [`Stage::Solve`].
-    Solve(SolveStageReport),
-    /// Of [`Stage::Write`].
-    Write(WriteReport),
 }
 
 /// Where a stage works.
@@ -212,19 +189,6 @@ impl Stage {
             }
             Self::Solve(options) => options.run(state, context).map(Done::Solve),
             Self::Write(options) => options.run(state, context).map(Done::Write),
-        }
-    }
-}
-
-impl Done {
-    /// The outcome in a line.
-    pub fn summary(&self) -> String {
-        match self {
-            Self::Import(report) => report.summary(),
-            Self::Check(report) => report.summary(),
-            Self::Subdivide(report) => report.summary(),
-            Self::Solve(report) => report.summary(),
-            Self::Write(report) => report.summary(),
         }
     }
 }

@@ -10,12 +10,12 @@ use serde::Deserialize;
 use toml::Spanned;
 
 use super::Context;
-use super::carried_fields::{CarriedFields, field_notes};
+use super::field_notes::field_notes;
 use super::groups::group_ids;
 use super::jumps::start_jumps;
-use super::subdivide_report::{LevelReport, Strata, SubdivideReport};
 use crate::error::Error;
 use crate::options::{Degrees, Ends, Fraction, MinQuality, Named, SchemeName};
+use crate::report::{CarriedFields, LevelReport, StrataCounts, SubdivideReport};
 use crate::state::State;
 
 /// Refines every tet into eight, some times over. The marking and what stays
@@ -109,7 +109,7 @@ impl Subdivide {
         context.needed(state.levels(&features))?;
         let hierarchy = context.needed(state.mesh.levels())?;
         let reasons = Some(&state.feature_reasons).filter(|_| hierarchy.transfers() == 0);
-        let strata = Strata::of_finest(hierarchy, reasons);
+        let strata = StrataCounts::of_finest(hierarchy, reasons);
         let mut report = SubdivideReport::new(self.scheme(), hierarchy, unmarked, strata);
         report.notes = notes;
         let mut clamped = 0;

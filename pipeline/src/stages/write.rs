@@ -6,7 +6,7 @@ use std::sync::Arc;
 use octruss_mesh::quality::mean_ratios;
 use octruss_mesh::{Hierarchy, Level, Strata, TetMesh};
 use octruss_meshio::{Dataset, Field, Values, pvd, vtu};
-use serde::{Deserialize, Serialize};
+use serde::Deserialize;
 
 use super::Context;
 use super::stale::remove_stale;
@@ -14,6 +14,7 @@ use crate::amount;
 use crate::derived_fields::DerivedFields;
 use crate::error::Error;
 use crate::output::{create_folder, write_with_surfaces};
+use crate::report::WriteReport;
 use crate::state::State;
 
 /// Writes `solution.vtu` (the finest mesh with every field, the stratum of each
@@ -32,20 +33,6 @@ pub struct Write {
     /// `features.vtu`: the curves and fixed points of the coarsest level, with the
     /// reason for each.
     pub features: bool,
-}
-
-/// What was written.
-#[derive(Debug, Clone, PartialEq, Serialize)]
-pub struct WriteReport {
-    /// Every file, in the order of writing.
-    pub files: Vec<PathBuf>,
-    /// The size of all together.
-    pub bytes: u64,
-    /// Files of an earlier run that were removed, since this one has none like them.
-    #[serde(skip_serializing_if = "Vec::is_empty")]
-    pub removed: Vec<PathBuf>,
-    /// Fields whose names were needed.
-    pub notes: Vec<String>,
 }
 
 impl Default for Write {
@@ -166,16 +153,4 @@ fn derived_fields(state: &State, mesh: &TetMesh, levels: &[Arc<Level>]) -> Deriv
 
 fn size(path: &Path) -> u64 {
     std::fs::metadata(path).map_or(0, |file| file.len())
-}
-
-impl WriteReport {
-    pub(super) fn summary(&self) -> String {
-        let folder = self.files.first().and_then(|file| file.parent()).unwrap_or(Path::new(""));
-        let (count, bytes) = (self.files.len(), amount::bytes(self.bytes));
-        let removed = match self.removed.len() {
-            0 => String::new(),
-            stale => format!(", {stale} of an earlier run removed"),
-        };
-        format!("{count} files in {}, {bytes}{removed}", folder.display())
-    }
 }

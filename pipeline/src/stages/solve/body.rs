@@ -4,10 +4,10 @@ use octruss_fem::Error;
 use octruss_fem::{Constraints, Elasticity, Forces, Recovery, strains, stresses, von_mises};
 use octruss_mesh::{Level, RawMesh};
 use octruss_meshio::{Field, Values};
-use serde::Serialize;
 use toml::Spanned;
 
 use super::elasticity::ElasticityKeys;
+use crate::report::{BodyFigures, ForceFigures, SurfaceForce};
 
 /// A body with its displacement found.
 pub(super) struct Body<'a> {
@@ -15,56 +15,6 @@ pub(super) struct Body<'a> {
     pub(super) finest: &'a Level,
     pub(super) problem: &'a Elasticity,
     pub(super) constraints: &'a Constraints,
-}
-
-/// Stresses and forces of an elastic body.
-#[derive(Debug, Clone, PartialEq, Serialize)]
-pub struct BodyFigures {
-    /// The greatest of von Mises' stress in a tet.
-    pub greatest_von_mises: f64,
-    /// What acts on the body.
-    pub forces: ForceFigures,
-}
-
-/// The forces on a body, each summed over a surface or all of it.
-#[derive(Debug, Clone, PartialEq, Serialize)]
-pub struct ForceFigures {
-    /// With which each fixed surface holds the body.
-    pub reactions: Vec<SurfaceForce>,
-    /// With which springs on each surface do; left out without springs.
-    #[serde(skip_serializing_if = "Vec::is_empty")]
-    pub springs: Vec<SurfaceForce>,
-    /// Body forces, gravity, tractions and pressures.
-    pub loads: Force,
-    /// The size of the sum of all of them, relative to the largest.
-    pub imbalance: f64,
-}
-
-/// A force on a body.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
-pub struct Force {
-    /// Its component along x.
-    pub x: f64,
-    /// Its component along y.
-    pub y: f64,
-    /// Its component along z.
-    pub z: f64,
-}
-
-/// A force on a body from a named surface.
-#[derive(Debug, Clone, PartialEq, Serialize)]
-pub struct SurfaceForce {
-    /// The surface, as the config calls it.
-    pub name: String,
-    /// The force there.
-    #[serde(flatten)]
-    pub force: Force,
-}
-
-impl From<[f64; 3]> for Force {
-    fn from([x, y, z]: [f64; 3]) -> Self {
-        Self { x, y, z }
-    }
 }
 
 impl Body<'_> {

@@ -7,13 +7,13 @@ use octruss_mesh::{Hierarchy, TetMesh};
 use octruss_meshio::{Field, Values};
 use octruss_solver::Nodal;
 
-use super::figures::SolveFigures;
 use super::problem::Equation;
 use super::stage::{Outcome, Solve};
 use super::unfinished::keep;
 use crate::amount::short;
 use crate::error::Error;
 use crate::observer::Event;
+use crate::report::SolveFigures;
 use crate::stages::Context;
 
 /// Solves a problem with one unknown a vertex.

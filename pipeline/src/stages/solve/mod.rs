@@ -7,11 +7,9 @@
 pub mod biharmonic;
 pub mod body;
 pub mod elasticity;
-pub mod figures;
 pub mod fixed;
 pub mod in_turn;
 pub mod poisson;
 pub mod problem;
 pub mod stage;
-pub mod traffic;
 pub mod unfinished;

@@ -1,6 +1,6 @@
 //! Which equation a stage solves, with the keys that belong to it.
 
-use serde::{Deserialize, Serialize};
+use serde::Deserialize;
 use toml::Spanned;
 
 use super::biharmonic::BiharmonicKeys;
@@ -28,8 +28,7 @@ impl Default for Problem {
 }
 
 /// The equations that can be solved.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
-#[serde(rename_all = "kebab-case")]
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Equation {
     /// Of [`Problem::Poisson`].
     Poisson,

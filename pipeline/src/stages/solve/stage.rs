@@ -3,14 +3,13 @@
 use octruss_fem::{Options, Prolongations};
 use octruss_mesh::{FeatureOptions, Scheme};
 use octruss_meshio::Field;
-use serde::{Deserialize, Serialize};
+use serde::Deserialize;
 
-use super::body::BodyFigures;
-use super::figures::SolveFigures;
-use super::problem::{Equation, Problem};
+use super::problem::Problem;
 use super::{biharmonic, elasticity, in_turn, poisson};
 use crate::error::Error;
 use crate::options::Several;
+use crate::report::{BodyFigures, SolveFigures, SolveStageReport};
 use crate::stages::{Context, Contradiction};
 use crate::state::State;
 
@@ -47,20 +46,6 @@ pub(super) struct Outcome {
     pub(super) cell_fields: Vec<Field>,
 }
 
-/// All solves of a stage.
-#[derive(Debug, Clone, PartialEq, Serialize)]
-pub struct SolveStageReport {
-    /// Which equation.
-    pub problem: Equation,
-    /// The time to assemble it, once for all solves.
-    pub assembly_seconds: f64,
-    /// One a prolongation.
-    pub solves: Vec<SolveFigures>,
-    /// Of an elastic body, what else is of interest.
-    #[serde(flatten, skip_serializing_if = "Option::is_none")]
-    pub body: Option<BodyFigures>,
-}
-
 impl Default for Solve {
     fn default() -> Self {
         Self {
@@ -95,7 +80,7 @@ impl Solve {
         let number = context.stage.label.strip_prefix("solve").unwrap_or_default();
         add_fields(&mut state.point_fields, point_fields, number);
         add_fields(&mut state.cell_fields, cell_fields, number);
-        let problem = self.problem.equation();
+        let problem = self.problem.equation().name().into();
         Ok(SolveStageReport { problem, assembly_seconds, solves, body })
     }
 
@@ -131,16 +116,5 @@ fn add_fields(all: &mut Vec<Field>, new: Vec<Field>, number: &str) {
         field.name += number;
         all.retain(|old| old.name != field.name);
         all.push(field);
-    }
-}
-
-impl SolveStageReport {
-    pub(in crate::stages) fn summary(&self) -> String {
-        let iterations: Vec<String> = self
-            .solves
-            .iter()
-            .map(|solve| format!("{} in {} iterations", solve.prolongation, solve.iterations))
-            .collect();
-        iterations.join(", ")
     }
 }

@@ -2,13 +2,13 @@
 
 use std::collections::BTreeMap;
 
-use octruss_meshio::{Field, Values};
-use serde::Serialize;
+use octruss_meshio::Field;
+use serde::{Deserialize, Serialize};
 
 use crate::state::{State, floats};
 
 /// The fields on the finest mesh, by name.
-#[derive(Debug, Clone, Default, PartialEq, Serialize)]
+#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
 pub struct CarriedFields {
     /// Moved by the same matrix as the vertices.
     pub vertices: BTreeMap<String, FieldFigures>,
@@ -18,12 +18,12 @@ pub struct CarriedFields {
     pub tets: BTreeMap<String, FieldFigures>,
     /// How many values were brought back into the range of their stencils, on
     /// all levels of the stage together; only where that was asked for.
-    #[serde(skip_serializing_if = "Option::is_none")]
+    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub clamped: Option<usize>,
 }
 
 /// One field.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct FieldFigures {
     /// Values a vertex, side or tet.
     pub components: usize,
@@ -35,12 +35,12 @@ pub struct FieldFigures {
     pub not_numbers: usize,
     /// The greatest difference between two sides of a vertex, of fields that
     /// may jump.
-    #[serde(skip_serializing_if = "Option::is_none")]
+    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub largest_jump: Option<f64>,
 }
 
 impl CarriedFields {
-    pub(super) fn of(state: &State, clamped: Option<usize>) -> Self {
+    pub(crate) fn of(state: &State, clamped: Option<usize>) -> Self {
         let figures = |fields: &[Field]| -> BTreeMap<String, FieldFigures> {
             fields.iter().map(|field| (field.name.clone(), FieldFigures::of(field))).collect()
         };
@@ -73,28 +73,4 @@ impl FieldFigures {
             largest_jump: None,
         }
     }
-}
-
-/// Remarks on fields at vertices that refining changes in ways that may surprise.
-pub(super) fn field_notes(state: &State, levels: u8) -> Vec<String> {
-    let mut notes = Vec::new();
-    for field in state.point_fields.iter().filter(|_| levels > 0) {
-        let name = &field.name;
-        if matches!(field.values, Values::Integer(_)) {
-            notes.push(format!(
-                "the field `{name}` holds whole numbers; refined, it holds means of them"
-            ));
-        }
-        let values = floats(field);
-        let tuples = values.chunks(field.components.max(1));
-        let missing = tuples.filter(|tuple| tuple.iter().any(|value| value.is_nan())).count();
-        if missing > 0 {
-            notes.push(format!(
-                "the field `{name}` is no number at {missing} of {} vertices, and none at new \
-                 vertices that read these",
-                field.tuples()
-            ));
-        }
-    }
-    notes
 }

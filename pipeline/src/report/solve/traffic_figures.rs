@@ -1,13 +1,16 @@
 //! Bytes, seconds and bandwidth of each kernel of a cycle, as the report tells them.
 
 use octruss_solver::{KernelTraffic, Traffic};
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
+
+use crate::null::null_as_nan;
 
 /// Where the time of a cycle goes.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct TrafficFigures {
     /// Bytes a second of copying memory in the same run, read and written ones
     /// counted.
+    #[serde(deserialize_with = "null_as_nan")]
     pub copy_bytes_per_second: f64,
     /// A whole V-cycle.
     pub cycle: KernelFigures,
@@ -16,22 +19,25 @@ pub struct TrafficFigures {
 }
 
 /// One kernel on one level.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct KernelFigures {
     /// By which expectations call it, such as `level-0-residual`.
     pub name: String,
     /// The level, 0 the finest; none of a whole cycle.
-    #[serde(skip_serializing_if = "Option::is_none")]
+    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub level: Option<usize>,
     /// What it does.
-    pub kernel: &'static str,
+    pub kernel: String,
     /// What it must read and write, from the sizes of its arrays, each once.
     pub bytes: usize,
     /// The median time of one run.
+    #[serde(deserialize_with = "null_as_nan")]
     pub seconds: f64,
     /// Those over these; levels that fit a cache exceed what memory can do.
+    #[serde(deserialize_with = "null_as_nan")]
     pub bytes_per_second: f64,
     /// As a share of that of copying memory.
+    #[serde(deserialize_with = "null_as_nan")]
     pub copy_fraction: f64,
 }
 
@@ -64,6 +70,6 @@ impl KernelFigures {
         };
         let bytes_per_second = traffic.bandwidth();
         let copy_fraction = bytes_per_second / copy;
-        Self { name, level, kernel, bytes, seconds, bytes_per_second, copy_fraction }
+        Self { name, level, kernel: kernel.into(), bytes, seconds, bytes_per_second, copy_fraction }
     }
 }

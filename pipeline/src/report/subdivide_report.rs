@@ -4,28 +4,29 @@ use std::collections::BTreeMap;
 
 use octruss_mesh::quality::mean_ratio_range;
 use octruss_mesh::{FeatureReasons, Hierarchy, MarkingReport, Reason, Scheme, marking_report};
-use serde::Serialize;
+use serde::de::Error;
+use serde::{Deserialize, Deserializer, Serialize};
 
 use super::carried_fields::CarriedFields;
 use crate::amount::short;
 
 /// All levels, the coarsest first.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct SubdivideReport {
     /// The scheme's name.
-    pub scheme: &'static str,
+    pub scheme: String,
     /// The tension, of interpolatory schemes.
-    #[serde(skip_serializing_if = "Option::is_none")]
+    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub tension: Option<f64>,
     /// The weight of an interior vertex itself, of `loop-solid`.
-    #[serde(skip_serializing_if = "Option::is_none")]
+    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub interior: Option<f64>,
     /// Vertices of the finest level.
     pub vertices: usize,
     /// Tets of the finest level.
     pub tets: usize,
     /// What stays sharp on the coarsest level.
-    pub strata: Strata,
+    pub strata: StrataCounts,
     /// The marking of the coarsest level.
     pub marking: MarkingFigures,
     /// What became of the fields.
@@ -37,8 +38,8 @@ pub struct SubdivideReport {
 }
 
 /// How much of the coarsest level is below the solid.
-#[derive(Debug, Clone, PartialEq, Serialize)]
-pub struct Strata {
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct StrataCounts {
     /// Edges that are curves.
     pub crease_edges: usize,
     /// Vertices that were made corners; ends and crossings of curves stay, too,
@@ -48,19 +49,19 @@ pub struct Strata {
     pub surface_faces: usize,
     /// Why edges are curves: how many for each [`Reason`]. Of the first stage that
     /// subdivides only.
-    #[serde(skip_serializing_if = "Option::is_none")]
+    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub curve_reasons: Option<ReasonCounts>,
     /// Why vertices are fixed, also those where curves end or cross.
-    #[serde(skip_serializing_if = "Option::is_none")]
+    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub point_reasons: Option<ReasonCounts>,
 }
 
 /// How many parts of the mesh each reason holds for, by its name; reasons
 /// that hold nowhere are listed, too.
-pub type ReasonCounts = BTreeMap<&'static str, usize>;
+pub type ReasonCounts = BTreeMap<String, usize>;
 
 /// How far the marking agrees, before it is chosen and after.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct MarkingFigures {
     /// Faces between two tets.
     pub interior_faces: usize,
@@ -70,13 +71,23 @@ pub struct MarkingFigures {
     pub conflicting_faces: usize,
     /// How many interior edges of level 1 have so many tets round them, in the
     /// order they came in.
+    #[serde(deserialize_with = "by_number")]
     pub edge_valences_before: BTreeMap<u32, usize>,
     /// The same as marked.
+    #[serde(deserialize_with = "by_number")]
     pub edge_valences: BTreeMap<u32, usize>,
 }
 
+/// Counts by numbers: within something larger, serde takes keys of JSON for text alone.
+fn by_number<'de, D: Deserializer<'de>>(deserializer: D) -> Result<BTreeMap<u32, usize>, D::Error> {
+    let counts = BTreeMap::<String, usize>::deserialize(deserializer)?;
+    let number = |(key, count): (String, usize)| Ok((key.parse()?, count));
+    let counts: Result<_, std::num::ParseIntError> = counts.into_iter().map(number).collect();
+    counts.map_err(D::Error::custom)
+}
+
 /// One level.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct LevelReport {
     /// Vertices.
     pub vertices: usize,
@@ -87,12 +98,12 @@ pub struct LevelReport {
     /// The mean of η.
     pub eta_mean: f64,
     /// What keeping the quality took, where it was asked for.
-    #[serde(skip_serializing_if = "Option::is_none")]
+    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub guard: Option<GuardFigures>,
 }
 
 /// What keeping the quality took.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct GuardFigures {
     /// The η that no tet falls below, unless its parent was below it.
     pub floor: f64,
@@ -104,11 +115,11 @@ pub struct GuardFigures {
 
 impl SubdivideReport {
     /// Of the level at hand, before any other is made.
-    pub(super) fn new(
+    pub(crate) fn new(
         scheme: Scheme,
         hierarchy: &Hierarchy,
         unmarked: Option<MarkingReport>,
-        strata: Strata,
+        strata: StrataCounts,
     ) -> Self {
         let level = LevelReport { guard: None, ..LevelReport::of_finest(hierarchy) };
         let marked = marking_report(&hierarchy.finest().topology);
@@ -119,7 +130,7 @@ impl SubdivideReport {
             Scheme::Linear | Scheme::BoxSpline | Scheme::Averaged => {}
         }
         Self {
-            scheme: scheme.name(),
+            scheme: scheme.name().into(),
             tension,
             interior,
             vertices: level.vertices,
@@ -132,19 +143,19 @@ impl SubdivideReport {
         }
     }
 
-    pub(super) fn add(&mut self, level: LevelReport) {
+    pub(crate) fn add(&mut self, level: LevelReport) {
         (self.vertices, self.tets) = (level.vertices, level.tets);
         self.levels.push(level);
     }
 
-    pub(super) fn summary(&self) -> String {
+    pub(crate) fn summary(&self) -> String {
         let (vertices, tets) = (short(self.vertices), short(self.tets));
         format!("{} scheme: {vertices} vertices, {tets} tets", self.scheme)
     }
 }
 
-impl Strata {
-    pub(super) fn of_finest(hierarchy: &Hierarchy, reasons: Option<&FeatureReasons>) -> Self {
+impl StrataCounts {
+    pub(crate) fn of_finest(hierarchy: &Hierarchy, reasons: Option<&FeatureReasons>) -> Self {
         let mesh = &hierarchy.finest().mesh;
         let topology = &hierarchy.finest().topology;
         let features = mesh.features().cloned().unwrap_or_default();
@@ -160,8 +171,8 @@ impl Strata {
 }
 
 fn count<T>(listed: &[Reason], parts: &[(T, Reason)]) -> ReasonCounts {
-    let mut counts: ReasonCounts = listed.iter().map(|reason| (reason.name(), 0)).collect();
-    parts.iter().for_each(|(_, reason)| *counts.entry(reason.name()).or_default() += 1);
+    let mut counts: ReasonCounts = listed.iter().map(|reason| (reason.name().into(), 0)).collect();
+    parts.iter().for_each(|(_, reason)| *counts.entry(reason.name().into()).or_default() += 1);
     counts
 }
 
@@ -179,7 +190,7 @@ impl MarkingFigures {
 
 impl LevelReport {
     /// The outcome in a few words.
-    pub(super) fn result(&self) -> String {
+    pub(crate) fn result(&self) -> String {
         let tets = short(self.tets);
         match &self.guard {
             // Rounding aside, only where linear refinement of the input falls below.
@@ -197,7 +208,7 @@ impl LevelReport {
         }
     }
 
-    pub(super) fn of_finest(hierarchy: &Hierarchy) -> Self {
+    pub(crate) fn of_finest(hierarchy: &Hierarchy) -> Self {
         let mesh = &hierarchy.finest().mesh;
         let (eta_min, eta_mean) = mean_ratio_range(mesh.raw());
         let guard = hierarchy.finest().refinement.as_ref().and_then(|refinement| refinement.guard);

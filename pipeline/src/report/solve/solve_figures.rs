@@ -1,26 +1,27 @@
-//! What a solve took and reached, as the report tells it.
+//! What one solve took and reached.
 
 use octruss_base::choice::Choice;
-use octruss_fem::{FullTransfer, Method, Options, Solution, Solver, TransferSummary, Unknown};
-use octruss_mesh::CorrectedRows;
-use octruss_solver::{Precision, Preconditioner, ResolvedOptions, Smoother};
-use serde::Serialize;
+use octruss_fem::{Options, Solution, Solver, Unknown};
+use serde::{Deserialize, Serialize};
 
-use super::traffic::TrafficFigures;
+use super::method_figures::MethodFigures;
+use super::traffic_figures::TrafficFigures;
+use super::transfer_figures::TransferFigures;
+use crate::null::{null_as_nan, nulls_as_nan};
 
 /// What one solve took and reached.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct SolveFigures {
     /// By which expectations call it: the prolongation.
     pub name: String,
     /// What prolongs; if the finest transfer is apart, `FINEST/COARSER`.
     pub prolongation: String,
     /// Which rows were made exact for linear functions.
-    pub affine_correction: &'static str,
+    pub affine_correction: String,
     /// What rows on interfaces read.
-    pub interface_rows: &'static str,
+    pub interface_rows: String,
     /// Where coarse matrices come from.
-    pub coarse_operator: &'static str,
+    pub coarse_operator: String,
     /// What it was done with.
     #[serde(flatten)]
     pub method: MethodFigures,
@@ -33,47 +34,58 @@ pub struct SolveFigures {
     /// Stored entries of all levels' matrices.
     pub nonzeros_all_levels: usize,
     /// Those over these: all levels over the finest.
+    #[serde(deserialize_with = "null_as_nan")]
     pub operator_complexity: f64,
     /// Unknowns of all levels over those of the finest.
+    #[serde(deserialize_with = "null_as_nan")]
     pub grid_complexity: f64,
     /// For each transfer, the coarsest first, how far it misses linear functions,
     /// in mean edge lengths.
+    #[serde(deserialize_with = "nulls_as_nan")]
     pub affine_defects: Vec<f64>,
     /// More about each transfer, the coarsest first.
     pub transfers: Vec<TransferFigures>,
     /// ‖b − A x‖ / ‖b‖ after the pass of full multigrid, before the first iteration.
-    #[serde(skip_serializing_if = "Option::is_none")]
+    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub full_multigrid_residual: Option<f64>,
     /// Iterations, one cycle each.
     pub iterations: usize,
     /// ‖b − A x‖ / ‖b‖ at the end.
+    #[serde(deserialize_with = "null_as_nan")]
     pub relative_residual: f64,
     /// Relative residuals from that of the start (1 of zero) on, one more than
     /// iterations.
+    #[serde(deserialize_with = "nulls_as_nan")]
     pub residual_history: Vec<f64>,
     /// The factor by which an iteration reduces the residual, geometric mean.
+    #[serde(deserialize_with = "null_as_nan")]
     pub mean_reduction: f64,
     /// Work for a decimal digit of the residual, in products with the finest
     /// matrix: a cycle and the product of the iteration itself.
+    #[serde(deserialize_with = "null_as_nan")]
     pub work_per_digit: f64,
     /// The least value at a vertex of a tet, of displacements their length.
+    #[serde(deserialize_with = "null_as_nan")]
     pub minimum: f64,
     /// The greatest value at a vertex of a tet, of displacements their length.
+    #[serde(deserialize_with = "null_as_nan")]
     pub maximum: f64,
     /// Prolongations, Galerkin products, factors; coarse matrices that are re-assembled
     /// count as assembly.
+    #[serde(deserialize_with = "null_as_nan")]
     pub setup_seconds: f64,
     /// Iterating, after the pass of full multigrid if there was one.
+    #[serde(deserialize_with = "null_as_nan")]
     pub solve_seconds: f64,
     /// Bytes and bandwidth of each kernel of a cycle, if asked for.
-    #[serde(skip_serializing_if = "Option::is_none")]
+    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub account: Option<TrafficFigures>,
 }
 
 impl SolveFigures {
     /// Of a solve; what the caller adds is the range of the solution, 0 here, the number
     /// of unknowns, and traffic if it is asked for.
-    pub(super) fn new<E: Unknown>(
+    pub(crate) fn new<E: Unknown>(
         options: &Options,
         solver: &Solver<E>,
         solution: &Solution<E>,
@@ -88,9 +100,9 @@ impl SolveFigures {
         Self {
             name: options.prolongation.to_string(),
             prolongation: options.prolongation.to_string(),
-            affine_correction: Choice::name(options.affine_correction),
-            interface_rows: Choice::name(options.interface_rows),
-            coarse_operator: options.coarse_operator.name(),
+            affine_correction: Choice::name(options.affine_correction).into(),
+            interface_rows: Choice::name(options.interface_rows).into(),
+            coarse_operator: options.coarse_operator.name().into(),
             method: MethodFigures::new(options, solver, solver.full_transfer()),
             unknowns: 0,
             levels: multigrid.levels().len(),
@@ -117,103 +129,5 @@ impl SolveFigures {
     /// The outcome in a few words.
     pub fn result(&self) -> String {
         format!("{} iterations, residual {:.1e}", self.iterations, self.relative_residual)
-    }
-}
-
-/// What is known of one transfer.
-#[derive(Debug, Clone, PartialEq, Serialize)]
-pub struct TransferFigures {
-    /// What prolongs.
-    pub prolongation: &'static str,
-    /// How far the matrix misses linear functions, in mean edge lengths; of
-    /// `smoothed-linear` the one that is smoothed.
-    pub affine_defect: f64,
-    /// The same before rows were corrected.
-    pub affine_defect_before: f64,
-    /// Rows made exact on their own support.
-    pub corrected_rows: usize,
-    /// Rows made linear, which was exact.
-    pub replaced_rows: usize,
-    /// Rows made exact with more columns.
-    pub extended_rows: usize,
-    /// Rows that nothing made exact.
-    pub left_rows: usize,
-}
-
-impl From<&TransferSummary> for TransferFigures {
-    fn from(summary: &TransferSummary) -> Self {
-        let CorrectedRows { corrected, replaced, extended, left } = summary.corrected;
-        Self {
-            prolongation: summary.prolongation,
-            affine_defect: summary.affine_defect,
-            affine_defect_before: summary.affine_defect_before,
-            corrected_rows: corrected,
-            replaced_rows: replaced,
-            extended_rows: extended,
-            left_rows: left,
-        }
-    }
-}
-
-/// What a solve was done with, by the names that configs use.
-#[derive(Debug, Clone, PartialEq, Serialize)]
-pub struct MethodFigures {
-    /// `cg`, `flexible-cg` where the cycle is not symmetric, or `cycle`.
-    pub method: &'static str,
-    /// The shape of the cycle.
-    pub cycle: &'static str,
-    /// How full multigrid brought solutions to finer levels, where it did.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub full_transfer: Option<&'static str>,
-    /// What one sweep is.
-    pub smoother: &'static str,
-    /// The degree of the polynomial, where the smoother is one.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub smoothing_degree: Option<usize>,
-    /// Sweeps before and after the coarse correction.
-    pub sweeps: [usize; 2],
-    /// The precision inside the cycle.
-    pub precision: &'static str,
-}
-
-impl MethodFigures {
-    /// What the multigrid of a solver is used as, and how its full pass transferred if it
-    /// had one.
-    pub(crate) fn new<E: Unknown>(
-        options: &Options,
-        solver: &Solver<E>,
-        full_transfer: Option<FullTransfer>,
-    ) -> Self {
-        let multigrid = &solver.multigrid;
-        let ResolvedOptions { smoother, before, after, precision, .. } = *multigrid.options();
-        let method = match options.method() {
-            Method::ConjugateGradients if !multigrid.is_symmetric() => "flexible-cg",
-            method => method.name(),
-        };
-        let smoothing_degree = match smoother {
-            Smoother::Chebyshev { degree, .. } => Some(degree),
-            _ => None,
-        };
-        Self {
-            method,
-            cycle: options.cycle().name(),
-            full_transfer: full_transfer.map(Choice::name),
-            smoother: smoother.name(),
-            smoothing_degree,
-            sweeps: [before, after],
-            precision: Precision::name(precision),
-        }
-    }
-
-    /// The shape of the cycle with its sweeps: `v(1,1)`.
-    pub fn cycle_and_sweeps(&self) -> String {
-        let [before, after] = self.sweeps;
-        format!("{}({before},{after})", self.cycle)
-    }
-
-    /// The smoother with its degree, if it has one: `chebyshev-3`.
-    pub fn smoother_and_degree(&self) -> String {
-        let degree = self.smoothing_degree.map(|degree| format!("-{degree}"));
-        format!("{}{}", self.smoother, degree.unwrap_or_default())
     }
 }

@@ -1,48 +1,8 @@
-//! What a run did, as `report.json` tells it. The names of the keys are a
-//! promise to scripts.
+//! The numbers of a report by their names.
 
-use serde::Serialize;
 use serde_json::Value;
 
-use crate::error::UnfinishedSolve;
-use crate::recipe::Outcome;
-use crate::stages::Done;
-
-/// A whole run.
-#[derive(Debug, Clone, PartialEq, Serialize)]
-pub struct Report {
-    /// The version of the program.
-    pub octruss: &'static str,
-    /// The recipe's name.
-    pub config: String,
-    /// How many threads worked.
-    pub threads: usize,
-    /// Wall time of all stages.
-    pub seconds: f64,
-    /// The process's greatest resident size up to the end of this run; null
-    /// where the system does not tell.
-    pub peak_memory_bytes: Option<u64>,
-    /// In the order in which they ran.
-    pub stages: Vec<StageReport>,
-    /// What was expected, with what was measured; empty of a run that did not finish.
-    pub expectations: Vec<Outcome>,
-    /// The solve that did not reach its goal, if one did not; `stages` are those
-    /// before it.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub unfinished: Option<UnfinishedSolve>,
-}
-
-/// What one stage did.
-#[derive(Debug, Clone, PartialEq, Serialize)]
-pub struct StageReport {
-    /// The stage's label, see [`crate::recipe::stage_labels`].
-    pub name: String,
-    /// Wall time.
-    pub seconds: f64,
-    /// The rest depends on the stage.
-    #[serde(flatten)]
-    pub done: Done,
-}
+use super::run_report::Report;
 
 impl Report {
     /// Every single number of the report by the name that expectations use:

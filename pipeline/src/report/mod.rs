@@ -1,0 +1,31 @@
+//! What a run did, as `report.json` tells it: plain data. The names of the keys are a
+//! promise to scripts.
+
+mod carried_fields;
+mod check_report;
+mod file;
+mod finding_report;
+mod import_report;
+mod numbers;
+mod outcome;
+mod run_report;
+mod solve;
+mod stage_report;
+mod subdivide_report;
+mod write_report;
+
+pub use carried_fields::{CarriedFields, FieldFigures};
+pub use check_report::CheckReport;
+pub use finding_report::FindingReport;
+pub use import_report::ImportReport;
+pub use outcome::{Bounds, Outcome};
+pub use run_report::{Report, SCHEMA};
+pub use solve::{
+    BodyFigures, Force, ForceFigures, KernelFigures, MethodFigures, SolveFigures, SolveStageReport,
+    SurfaceForce, TrafficFigures, TransferFigures,
+};
+pub use stage_report::{Done, StageReport};
+pub use subdivide_report::{
+    GuardFigures, LevelReport, MarkingFigures, ReasonCounts, StrataCounts, SubdivideReport,
+};
+pub use write_report::WriteReport;

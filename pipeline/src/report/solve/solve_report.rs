@@ -1,0 +1,34 @@
+//! What a stage `solve` did.
+
+use serde::{Deserialize, Serialize};
+
+use super::body_figures::BodyFigures;
+use super::solve_figures::SolveFigures;
+use crate::null::null_as_nan;
+
+/// All solves of a stage.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct SolveStageReport {
+    /// Which equation.
+    pub problem: String,
+    /// The time to assemble it, once for all solves.
+    #[serde(deserialize_with = "null_as_nan")]
+    pub assembly_seconds: f64,
+    /// One a prolongation.
+    pub solves: Vec<SolveFigures>,
+    /// Of an elastic body, what else is of interest.
+    #[serde(default, flatten, skip_serializing_if = "Option::is_none")]
+    pub body: Option<BodyFigures>,
+}
+
+impl SolveStageReport {
+    /// The outcome in a line.
+    pub fn summary(&self) -> String {
+        let iterations: Vec<String> = self
+            .solves
+            .iter()
+            .map(|solve| format!("{} in {} iterations", solve.prolongation, solve.iterations))
+            .collect();
+        iterations.join(", ")
+    }
+}

@@ -5,26 +5,11 @@
 use octruss_fem::{Discretisation, Error, Options, Unknown};
 use octruss_mesh::Scheme;
 use octruss_solver::{Nodal, dot, kernels, norm};
-use serde::Serialize;
 
 use super::attempt::attempt;
+use super::carried_solution::CarriedSolution;
 use crate::options::{Choice, Geometry};
 use crate::stages::Context;
-
-/// How near a carried solution comes to the one computed.
-#[derive(Debug, Clone, PartialEq, Serialize)]
-pub struct Carried {
-    /// `flat` or `subdivided`.
-    pub geometry: &'static str,
-    /// The level it was carried to.
-    pub level: usize,
-    /// What carried it.
-    pub prolongation: &'static str,
-    /// ‖carried − computed‖ / ‖computed‖ over the free unknowns.
-    pub difference: f64,
-    /// The same in the energy norm of the finer level.
-    pub energy_difference: f64,
-}
 
 /// Carries the solution of the level below the finest up by each scheme. What is
 /// prescribed on the finer level does not count. Nothing comes of a solution that is
@@ -38,7 +23,7 @@ pub(super) fn carry<E: Unknown>(
     geometry: Geometry,
     [coarse, fine]: [&Discretisation<E>; 2],
     context: &Context,
-) -> Result<Vec<Carried>, Error> {
+) -> Result<Vec<CarriedSolution>, Error> {
     let transfer = coarse.hierarchy.transfers();
     let solutions = (solution(options, fine, context)?, solution(options, coarse, context)?);
     let (Some(computed), Some(coarse_solution)) = solutions else { return Ok(Vec::new()) };
@@ -60,10 +45,10 @@ pub(super) fn carry<E: Unknown>(
             })
             .collect();
         fine.project(&mut difference);
-        Carried {
-            geometry: geometry.name(),
+        CarriedSolution {
+            geometry: geometry.name().into(),
             level: transfer + 1,
-            prolongation: scheme.name(),
+            prolongation: scheme.name().into(),
             difference: norm(&difference) / norm(&computed),
             energy_difference: energy(&difference) / energy(&computed),
         }

@@ -4,7 +4,7 @@
 use plotters::coord::Shift;
 use plotters::prelude::*;
 
-use super::Row;
+use super::row::Row;
 
 const WIDTH: u32 = 440;
 const HEIGHT: u32 = 340;
@@ -36,7 +36,7 @@ pub(super) fn svg(rows: &[Row]) -> String {
 }
 
 fn draw<'a>(text: &'a mut String, rows: &[Row]) -> Result<(), Failure<'a>> {
-    let mut geometries: Vec<&str> = rows.iter().map(|row| row.geometry).collect();
+    let mut geometries: Vec<&str> = rows.iter().map(|row| row.geometry.as_str()).collect();
     geometries.dedup();
     let mut variants: Vec<String> = Vec::new();
     for variant in rows.iter().map(Row::variant) {

@@ -7,9 +7,11 @@ use std::time::Instant;
 use octruss_fem::{Discretisation, Error as FemError, Problem as FemProblem};
 use octruss_mesh::{Hierarchy, Scheme};
 
-use super::Comparison;
-use super::carried::{self, Carried};
-use super::row::{LevelStudy, Row};
+use super::carried;
+use super::carried_solution::CarriedSolution;
+use super::found::Comparison;
+use super::level_study::LevelStudy;
+use super::row::Row;
 use super::verdict::verdict;
 use crate::error::{ConfigError, Error, Place};
 use crate::observer::{Event, Observer, StagePlace};
@@ -45,10 +47,10 @@ pub fn compare(
         }
     }
     let order = |geometry: &str| Geometry::ALL.iter().position(|g| g.name() == geometry);
-    rows.sort_by_key(|row: &Row| (order(row.geometry), row.level));
-    carried.sort_by_key(|row: &Carried| (order(row.geometry), row.level));
+    rows.sort_by_key(|row: &Row| (order(&row.geometry), row.level));
+    carried.sort_by_key(|row: &CarriedSolution| (order(&row.geometry), row.level));
     Ok(Comparison {
-        octruss: env!("CARGO_PKG_VERSION"),
+        octruss: env!("CARGO_PKG_VERSION").into(),
         config: recipe.name.clone(),
         threads: rayon::current_num_threads(),
         seconds: start.elapsed().as_secs_f64(),
@@ -143,7 +145,7 @@ impl<'a> Study<'a> {
         &self,
         hierarchy: &Hierarchy,
         geometry: Geometry,
-    ) -> Result<(Vec<Row>, Vec<Carried>), Error> {
+    ) -> Result<(Vec<Row>, Vec<CarriedSolution>), Error> {
         let label = format!("{} level {}", geometry.name(), hierarchy.transfers());
         let context = Context {
             input_folder: &self.recipe.folder,
@@ -173,7 +175,7 @@ impl<'a> Study<'a> {
         (hierarchy, geometry): (&Hierarchy, Geometry),
         problem: &P,
         context: &Context,
-    ) -> Result<(Vec<Row>, Vec<Carried>), Error> {
+    ) -> Result<(Vec<Row>, Vec<CarriedSolution>), Error> {
         context.tell(Event::StageBegan);
         let start = Instant::now();
         let variants = self.plan.variants(self.solve);

@@ -1,17 +1,18 @@
 //! A comparison as tables: for people, and as comma-separated values.
 
-use super::{Comparison, Row};
+use super::carried_solution::CarriedSolution;
+use super::row::Row;
 use crate::amount::{bytes, short};
 use crate::table::table;
 
 /// Tables of all rows and of Chang's test, and the verdict.
-pub(super) fn text(comparison: &Comparison) -> String {
-    let mut text = table(&rows(&comparison.rows));
-    if !comparison.carried.is_empty() {
-        let carried = comparison.carried.iter().map(|carried| {
+pub(super) fn text(all: &[Row], carried: &[CarriedSolution], verdict: &[String]) -> String {
+    let mut text = table(&rows(all));
+    if !carried.is_empty() {
+        let carried = carried.iter().map(|carried| {
             vec![
                 format!("{} {}", carried.geometry, carried.level),
-                carried.prolongation.into(),
+                carried.prolongation.clone(),
                 format!("{:.3e}", carried.difference),
                 format!("{:.3e}", carried.energy_difference),
             ]
@@ -20,7 +21,7 @@ pub(super) fn text(comparison: &Comparison) -> String {
         let lines: Vec<_> = std::iter::once(head.to_vec()).chain(carried).collect();
         text += &format!("\n{}", table(&lines));
     }
-    for sentence in &comparison.verdict {
+    for sentence in verdict {
         text += &format!("\n{sentence}\n");
     }
     text
@@ -50,7 +51,7 @@ fn rows(rows: &[Row]) -> Vec<Vec<String>> {
             vec![
                 format!("{} {}", row.geometry, row.level),
                 row.prolongation.clone(),
-                row.coarse_operator.into(),
+                row.coarse_operator.clone(),
                 rows_of(row),
                 row.cycle.clone(),
                 row.smoother.clone(),
@@ -79,7 +80,7 @@ fn rows_of(row: &Row) -> String {
         (false, true) => "corrected",
         (false, false) => "exact",
     };
-    let asked = match row.affine_correction {
+    let asked = match row.affine_correction.as_str() {
         "auto" => String::new(),
         asked => format!(" ({asked})"),
     };

@@ -34,13 +34,10 @@
 
 pub mod amount;
 pub mod comparison;
-pub mod derived_fields;
 pub mod describe;
 pub mod error;
 pub mod expression;
-pub mod input_numbers;
 pub mod memory;
-pub mod mesh_phase;
 mod null;
 pub mod observer;
 pub mod options;

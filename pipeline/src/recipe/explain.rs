@@ -3,14 +3,28 @@
 use std::ops::Range;
 
 use octruss_base::suggestion::suggestion;
-use toml::de::{DeValue, Error};
+use serde::Deserialize;
+use toml::de::{DeValue, Error, ValueDeserializer};
 
 use super::tree::Tree;
 use crate::error::{ConfigError, Source};
 
+/// Reads a value; `stage` is the label of the stage that it is in.
+///
+/// # Errors
+/// As serde's, explained.
+pub fn deserialize<'de, T: Deserialize<'de>>(
+    tree: Tree<'de>,
+    stage: Option<&str>,
+    source: &Source,
+) -> Result<T, ConfigError> {
+    T::deserialize(ValueDeserializer::from(tree.clone()))
+        .map_err(|error| explain(&error, &tree, stage, source))
+}
+
 /// An error of deserialisation with its place, its key and, for an unknown
 /// name, the nearest valid one. `stage` is the label of the stage being read.
-pub fn explain(error: &Error, tree: &Tree, stage: Option<&str>, source: &Source) -> ConfigError {
+fn explain(error: &Error, tree: &Tree, stage: Option<&str>, source: &Source) -> ConfigError {
     let span = error.span().unwrap_or_else(|| tree.span());
     let place = stage.map_or_else(String::new, |label| format!(" in stage `{label}`"));
     let message = error.message();

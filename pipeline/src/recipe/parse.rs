@@ -1,25 +1,22 @@
 //! From the text of a config to a recipe.
 
 use std::collections::BTreeMap;
-use std::ops::Range;
 use std::path::Path;
 
 use serde::Deserialize;
 use serde::de::IgnoredAny;
 use toml::Spanned;
-use toml::de::{DeArray, DeTable, DeValue, ValueDeserializer};
+use toml::de::{DeTable, DeValue};
 
-use super::Recipe;
+use super::contents::Recipe;
 use super::expect::Expectation;
-use super::explain::explain;
-use super::labels::labels_of_trees;
+use super::explain::deserialize;
 use super::overrides::apply;
-use super::solve_keys::sort_keys;
+use super::stage_tables::read_stages;
 use super::tree::Tree;
-use crate::error::{ConfigError, Source};
-use crate::options::{Compare, suggestion};
+use crate::error::{ConfigError, Place, Source};
+use crate::options::Compare;
 use crate::report::Bounds;
-use crate::stages::{Contradiction, Stage, Where};
 
 /// All of a config but its stages.
 #[derive(Deserialize)]
@@ -34,26 +31,58 @@ struct Header {
     expect: BTreeMap<Spanned<String>, Bounds>,
 }
 
-/// Reads a config; see [`Recipe::parse`].
-pub fn parse(path: &Path, text: String, overrides: &[String]) -> Result<Recipe, ConfigError> {
-    let source = Source::new(path.into(), text, overrides);
-    let document = DeTable::parse(source.text())
-        .map_err(|error| source.error(&error.span().unwrap_or(0..0), error.message().trim_end()))?;
-    let mut root = Spanned::new(document.span(), DeValue::Table(document.into_inner()));
-    for given in source.overrides() {
-        apply(&mut root, given, &source)?;
+impl Recipe {
+    /// Reads a config file and puts overrides (`key=value`, see the
+    /// [command line](crate#configs)) into it.
+    ///
+    /// # Errors
+    /// A file that cannot be read; anything in it that is no recipe, with file,
+    /// line, column and key.
+    pub fn load(path: &Path, overrides: &[String]) -> Result<Self, ConfigError> {
+        let text = std::fs::read_to_string(path).map_err(|error| ConfigError {
+            place: Place::File(path.into()),
+            message: format!("cannot read the config: {error}"),
+        })?;
+        Self::parse(path, text, overrides)
     }
-    let header = read_header(&root, &source)?;
-    let stages = read_stages(&root, &source)?;
-    let expectations = header.expect.into_iter().map(|(name, bounds)| Expectation {
-        place: source.place(&name.span()),
-        name: name.into_inner(),
-        bounds,
-    });
-    let expectations = expectations.collect();
-    let (name, folder) = (header.name.into_inner(), path.parent().unwrap_or(Path::new("")).into());
-    let compare = header.compare;
-    Ok(Recipe { name, folder, stages, compare, expectations, source })
+
+    /// Reads a config from its text; `path` is for messages and relative paths.
+    ///
+    /// # Errors
+    /// As [`Recipe::load`].
+    ///
+    /// ```
+    /// use octruss::recipe::Recipe;
+    /// let text = "name = \"cube\"\n[[stage]]\nkind = \"import\"\npth = \"cube.msh\"\n";
+    /// let error = Recipe::parse("cube.toml".as_ref(), text.into(), &[]).unwrap_err();
+    /// assert_eq!(
+    ///     error.to_string(),
+    ///     "cube.toml:4:1: unknown key `pth` in stage `import`; \
+    ///      did you mean `path`? (valid: path)"
+    /// );
+    /// ```
+    pub fn parse(path: &Path, text: String, overrides: &[String]) -> Result<Self, ConfigError> {
+        let source = Source::new(path.into(), text, overrides);
+        let document = DeTable::parse(source.text()).map_err(|error| {
+            source.error(&error.span().unwrap_or(0..0), error.message().trim_end())
+        })?;
+        let mut root = Spanned::new(document.span(), DeValue::Table(document.into_inner()));
+        for given in source.overrides() {
+            apply(&mut root, given, &source)?;
+        }
+        let header = read_header(&root, &source)?;
+        let stages = read_stages(&root, &source)?;
+        let expectations = header.expect.into_iter().map(|(name, bounds)| Expectation {
+            place: source.place(&name.span()),
+            name: name.into_inner(),
+            bounds,
+        });
+        let expectations = expectations.collect();
+        let (name, folder) =
+            (header.name.into_inner(), path.parent().unwrap_or(Path::new("")).into());
+        let compare = header.compare;
+        Ok(Recipe { name, folder, stages, compare, expectations, source })
+    }
 }
 
 fn read_header(root: &Tree, source: &Source) -> Result<Header, ConfigError> {
@@ -64,90 +93,4 @@ fn read_header(root: &Tree, source: &Source) -> Result<Header, ConfigError> {
         return Err(source.error(&header.name.span(), message));
     }
     Ok(header)
-}
-
-fn read_stages(root: &Tree, source: &Source) -> Result<Vec<Stage>, ConfigError> {
-    let list = stage_list(root, source)?;
-    let labels = labels_of_trees(list);
-    let mut stages: Vec<Stage> = Vec::new();
-    for (tree, label) in list.iter().zip(&labels) {
-        let stage: Stage = deserialize(by_kind(tree, label, source)?, Some(label), source)?;
-        if let Some(needed) = stage.needs()
-            && !stages.iter().any(|before| before.kind() == needed)
-        {
-            let message = format!("stage `{label}` needs a stage `{needed}` before it");
-            return Err(source.error(&tree.span(), message));
-        }
-        if let Some(Contradiction { place, message }) = stage.contradiction() {
-            let message = format!("stage `{label}`: {message}");
-            return Err(source.error(&place_of(place, tree), message));
-        }
-        stages.push(stage);
-    }
-    Ok(stages)
-}
-
-fn stage_list<'t, 'a>(root: &'t Tree<'a>, source: &Source) -> Result<&'t DeArray<'a>, ConfigError> {
-    let wrong = |span, found: &str| {
-        let message = format!("{found}: every step is a table headed [[stage]] with a `kind`");
-        source.error(&span, message)
-    };
-    let Some(list) = root.get_ref().get("stage") else {
-        return Err(wrong(0..0, "the config has no stage"));
-    };
-    match list.get_ref() {
-        DeValue::Array(entries) if entries.is_empty() => {
-            Err(wrong(list.span(), "the config has no stage"))
-        }
-        DeValue::Array(entries) => Ok(entries),
-        other => Err(wrong(list.span(), &format!("`stage` is one {}", other.type_str()))),
-    }
-}
-
-/// Where in the text something is that does not go together.
-fn place_of(place: Where, stage: &Tree) -> Range<usize> {
-    let key_span = |key: &str| {
-        let DeValue::Table(options) = stage.get_ref() else { return None };
-        options.keys().find(|given| given.get_ref() == key).map(Spanned::span)
-    };
-    match place {
-        Where::Span(span) => span,
-        Where::Key(key) => key_span(key).unwrap_or(stage.span()),
-        Where::Stage => stage.span(),
-    }
-}
-
-/// Turns `{ kind = K, … }` into `{ K = { … } }`, which is how serde spells a
-/// choice without losing the places of what is inside.
-fn by_kind<'a>(stage: &Tree<'a>, label: &str, source: &Source) -> Result<Tree<'a>, ConfigError> {
-    let DeValue::Table(mut options) = stage.get_ref().clone() else {
-        return Err(source.error(&stage.span(), "a stage is a table with a `kind`"));
-    };
-    let kind = options.remove("kind").ok_or_else(|| {
-        let message = format!("a stage needs a `kind` (valid: {})", Stage::KINDS.join(", "));
-        source.error(&stage.span(), message)
-    })?;
-    let span = kind.span();
-    let DeValue::String(name) = kind.into_inner() else {
-        return Err(source.error(&span, "`kind` must be a string"));
-    };
-    if !Stage::KINDS.contains(&name.as_ref()) {
-        let message = format!("unknown kind of stage `{name}`{}", suggestion(&name, &Stage::KINDS));
-        return Err(source.error(&span, message));
-    }
-    if name == "solve" {
-        options = sort_keys(options, stage.span(), label, source)?;
-    }
-    let options = Spanned::new(stage.span(), DeValue::Table(options));
-    let choice = DeTable::from_iter([(Spanned::new(span.clone(), name), options)]);
-    Ok(Spanned::new(span, DeValue::Table(choice)))
-}
-
-fn deserialize<'de, T: Deserialize<'de>>(
-    tree: Tree<'de>,
-    stage: Option<&str>,
-    source: &Source,
-) -> Result<T, ConfigError> {
-    T::deserialize(ValueDeserializer::from(tree.clone()))
-        .map_err(|error| explain(&error, &tree, stage, source))
 }

@@ -4,13 +4,11 @@ use octruss_mesh::{CheckOptions, Checked};
 use octruss_meshio::Field;
 use serde::Deserialize;
 
-use super::Context;
+use super::context::Context;
 use super::corner_fields::CornerFields;
 use crate::error::Error;
-use crate::input_numbers::InputNumbers;
-use crate::mesh_phase::MeshPhase;
 use crate::report::{CheckReport, FindingReport};
-use crate::state::State;
+use crate::state::{InputNumbers, MeshPhase, State};
 
 /// Refuses a mesh that refining and solving cannot live with; drops vertices
 /// that nothing uses.

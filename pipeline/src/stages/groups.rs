@@ -4,7 +4,7 @@ use octruss_fem::ByRegion;
 use octruss_mesh::RawMesh;
 use toml::Spanned;
 
-use super::Context;
+use super::context::Context;
 use crate::error::Error;
 use crate::options::{PerRegion, suggestion};
 

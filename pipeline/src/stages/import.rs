@@ -4,11 +4,10 @@ use std::path::PathBuf;
 
 use serde::Deserialize;
 
-use super::Context;
+use super::context::Context;
 use crate::error::Error;
-use crate::mesh_phase::MeshPhase;
 use crate::report::ImportReport;
-use crate::state::State;
+use crate::state::{MeshPhase, State};
 
 /// Reads a mesh file: Gmsh `.msh`, VTK `.vtu` or `.vtk`, Medit `.mesh`.
 #[derive(Debug, Clone, PartialEq, Deserialize)]

@@ -4,7 +4,7 @@ use octruss_mesh::Sides;
 use octruss_meshio::{Field, Values};
 use toml::Spanned;
 
-use super::Context;
+use super::context::Context;
 use crate::error::Error;
 use crate::options::suggestion;
 use crate::state::{SidedFields, State, floats};

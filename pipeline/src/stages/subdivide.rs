@@ -9,7 +9,7 @@ use octruss_mesh::{MAX_TETS, most_levels};
 use serde::Deserialize;
 use toml::Spanned;
 
-use super::Context;
+use super::context::Context;
 use super::field_notes::field_notes;
 use super::groups::group_ids;
 use super::jumps::start_jumps;

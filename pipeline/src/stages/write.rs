@@ -8,14 +8,13 @@ use octruss_mesh::{Hierarchy, Level, Strata, TetMesh};
 use octruss_meshio::{Dataset, Field, Values, pvd, vtu};
 use serde::Deserialize;
 
-use super::Context;
+use super::context::Context;
 use super::stale::remove_stale;
 use crate::amount;
-use crate::derived_fields::DerivedFields;
 use crate::error::Error;
 use crate::output::{create_folder, write_with_surfaces};
 use crate::report::WriteReport;
-use crate::state::State;
+use crate::state::{DerivedFields, State};
 
 /// Writes `solution.vtu` (the finest mesh with every field, the stratum of each
 /// vertex, region and quality a cell, and where both are in the mesh file),

@@ -8,7 +8,7 @@ use toml::Spanned;
 use super::fixed::{Fixed, fixed_values};
 use crate::error::Error;
 use crate::options::{PerRegion, Value};
-use crate::stages::Context;
+use crate::stages::context::Context;
 use crate::stages::groups::by_region;
 
 /// The data of Δ²u = f.

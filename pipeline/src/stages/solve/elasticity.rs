@@ -13,7 +13,7 @@ use crate::error::Error;
 use crate::options::{
     MaterialKeys, OnSurface, PerRegion, Springs, Value, ValueOrVector, VectorOnSurface, VectorValue,
 };
-use crate::stages::Context;
+use crate::stages::context::Context;
 use crate::stages::groups::{by_region, on_surfaces};
 
 /// The data of an elastic body.

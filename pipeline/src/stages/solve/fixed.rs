@@ -8,7 +8,7 @@ use toml::Spanned;
 use super::problem::Equation;
 use crate::error::Error;
 use crate::options::{Value, ValueOrVector};
-use crate::stages::Context;
+use crate::stages::context::Context;
 use crate::stages::groups::on_surfaces;
 
 /// What is prescribed on a named surface: of scalar problems `value`; of

@@ -14,7 +14,7 @@ use crate::amount::short;
 use crate::error::Error;
 use crate::observer::Event;
 use crate::report::SolveFigures;
-use crate::stages::Context;
+use crate::stages::context::Context;
 
 /// Solves a problem with one unknown a vertex.
 pub(super) fn scalar(

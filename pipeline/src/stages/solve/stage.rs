@@ -10,7 +10,8 @@ use super::{biharmonic, elasticity, in_turn, poisson};
 use crate::error::Error;
 use crate::options::Several;
 use crate::report::{BodyFigures, SolveFigures, SolveStageReport};
-use crate::stages::{Context, Contradiction};
+use crate::stages::context::Context;
+use crate::stages::contradiction::Contradiction;
 use crate::state::State;
 
 /// Solves a problem on the finest mesh by conjugate gradients with a multigrid

@@ -7,7 +7,7 @@ use octruss_solver::SolveReport;
 
 use crate::error::{Error, UnfinishedSolve};
 use crate::output::{UNFINISHED, create_folder};
-use crate::stages::Context;
+use crate::stages::context::Context;
 
 /// Writes the best iterate as `unfinished.vtu` on the finest mesh; tells where it is
 /// and what it reached, or why it could not be written.

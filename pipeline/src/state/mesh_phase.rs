@@ -80,7 +80,7 @@ impl MeshPhase {
     }
 
     /// Makes levels of a checked mesh: `first` makes the coarsest.
-    pub(crate) fn begin_levels(&mut self, first: impl FnOnce(TetMesh) -> Hierarchy) {
+    pub(super) fn begin_levels(&mut self, first: impl FnOnce(TetMesh) -> Hierarchy) {
         *self = match std::mem::take(self) {
             Self::Checked(mesh) => Self::Levels(first(mesh)),
             other => other,

@@ -1,16 +1,17 @@
 //! What flows between the stages of a run.
 
-use std::borrow::Cow;
 use std::path::PathBuf;
 
 use octruss_mesh::{
-    FeatureOptions, FeatureReasons, Hierarchy, Level, Overshoot, Renumbering, Sides, Step,
-    SubdivideError, TetMesh, prepare, sort_along_curve,
+    FeatureOptions, FeatureReasons, Hierarchy, Level, Overshoot, Renumbering, Step, SubdivideError,
+    TetMesh, prepare, sort_along_curve,
 };
 use octruss_meshio::{Dataset, Field, Values};
 
-use crate::input_numbers::InputNumbers;
-use crate::mesh_phase::{MeshPhase, Missing};
+use super::floats::floats;
+use super::input_numbers::InputNumbers;
+use super::mesh_phase::{MeshPhase, Missing};
+use super::sided_fields::SidedFields;
 
 /// What the stages so far have made.
 #[derive(Debug, Default)]
@@ -32,15 +33,6 @@ pub struct State {
     pub sided_fields: SidedFields,
     /// The files that stages `write` wrote.
     pub written: Vec<PathBuf>,
-}
-
-/// Fields with a tuple for each side of a vertex of the finest mesh.
-#[derive(Debug, Default)]
-pub struct SidedFields {
-    /// The sides; kept once there is a field.
-    pub sides: Option<Sides>,
-    /// The fields.
-    pub fields: Vec<Field>,
 }
 
 impl State {
@@ -133,47 +125,5 @@ impl State {
         let mut dataset = Dataset { mesh, point_fields, cell_fields, notes, ..Dataset::default() };
         numbers.add_to(&mut dataset);
         dataset
-    }
-}
-
-impl SidedFields {
-    /// Takes the fields along to the new numbers of the mesh.
-    fn renumber(&mut self, mesh: &TetMesh, from: &Renumbering) {
-        let Some(old) = &self.sides else { return };
-        let new = Sides::new(mesh);
-        let old = |(&v, &region): (&u32, &i32)| {
-            old.find(from.vertices[v as usize], region).expect("the same regions touch a vertex")
-        };
-        let order: Vec<usize> = new.vertices().iter().zip(new.regions()).map(old).collect();
-        for field in &mut self.fields {
-            *field = field.subset(order.iter().copied());
-        }
-        self.sides = Some(new);
-    }
-
-    /// Carries the fields onto the level that was added last; returns how many
-    /// values were clamped.
-    fn refine(&mut self, hierarchy: &Hierarchy, overshoot: Overshoot) -> usize {
-        let Some(coarse) = &self.sides else { return 0 };
-        let fine = Sides::new(&hierarchy.finest().mesh);
-        let transfer = hierarchy.transfers() - 1;
-        let step = (&hierarchy.levels()[transfer].topology, hierarchy.refinement(transfer));
-        let mut clamped = 0;
-        for field in &mut self.fields {
-            let carried = coarse.carry(step, &fine, &floats(field), field.components, overshoot);
-            field.values = Values::Float(carried.values);
-            clamped += carried.clamped;
-        }
-        self.sides = Some(fine);
-        clamped
-    }
-}
-
-/// The values of a field as floating-point numbers: means of whole numbers are
-/// not whole.
-pub(crate) fn floats(field: &Field) -> Cow<'_, [f64]> {
-    match &field.values {
-        Values::Float(values) => values.into(),
-        Values::Integer(values) => values.iter().map(|&value| value as f64).collect(),
     }
 }

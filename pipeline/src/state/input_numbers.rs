@@ -3,7 +3,7 @@
 use octruss_mesh::{Refinement, Renumbering};
 use octruss_meshio::{Dataset, Field, Values};
 
-use crate::derived_fields::DerivedFields;
+use super::derived_fields::DerivedFields;
 
 /// The field that tells the number of each vertex.
 const VERTEX: &str = "input-vertex";

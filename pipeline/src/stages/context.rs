@@ -1,0 +1,100 @@
+//! Where a stage works, and how it tells what happens there.
+
+use std::ops::ControlFlow;
+use std::path::Path;
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::time::Instant;
+
+use toml::Spanned;
+
+use crate::error::{Error, Source};
+use crate::observer::{Event, Observer, StagePlace};
+use crate::state::Missing;
+
+/// Where a stage works.
+pub struct Context<'a> {
+    /// What input paths are relative to.
+    pub input_folder: &'a Path,
+    /// Where output goes.
+    pub output_folder: &'a Path,
+    /// The config, for places in messages; none if the stages come from elsewhere.
+    pub source: Option<&'a Source>,
+    /// The stage.
+    pub stage: StagePlace,
+    /// Whom to tell how far it is.
+    pub observer: &'a dyn Observer,
+    /// Whether to end as soon as possible.
+    pub stop: &'a AtomicBool,
+}
+
+impl Context<'_> {
+    /// Whether to end as soon as possible.
+    pub fn asked_to_stop(&self) -> bool {
+        self.stop.load(Ordering::Relaxed)
+    }
+
+    /// Tells the observer.
+    pub fn tell(&self, event: Event) {
+        self.observer.hear(&self.stage, &event);
+    }
+
+    /// Does one step, whose work returns its result and that result in words,
+    /// and tells about its begin and its end.
+    ///
+    /// # Errors
+    /// As the work.
+    pub fn step<T, E>(
+        &self,
+        number: usize,
+        of: usize,
+        what: &str,
+        work: impl FnOnce() -> Result<(T, String), E>,
+    ) -> Result<T, E> {
+        self.tell(Event::StepBegan { number, of, what: what.into() });
+        let start = Instant::now();
+        let (value, result) = work()?;
+        let seconds = start.elapsed().as_secs_f64();
+        self.tell(Event::StepDone { what: what.into(), result, seconds });
+        Ok(value)
+    }
+
+    /// What an iteration asks: whether to end.
+    pub(crate) fn go_on(&self) -> ControlFlow<()> {
+        if self.asked_to_stop() { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+    }
+
+    /// Tells what the user should know, quiet or not.
+    pub(super) fn remark(&self, notes: &[String]) {
+        notes.iter().for_each(|note| self.tell(Event::Remark(note.clone())));
+    }
+
+    /// An error about something this stage asks for.
+    pub(super) fn request(&self, message: String) -> Error {
+        Error::Request { stage: self.stage.label.clone(), message }
+    }
+
+    /// An error about a name that the config gives and the mesh does not have.
+    pub(super) fn name_error(&self, name: &Spanned<String>, message: &str) -> Error {
+        let message = format!("stage `{}`: {message}", self.stage.label);
+        match self.source {
+            Some(source) => Error::Name(source.error(&name.span(), message)),
+            None => self.request(message),
+        }
+    }
+
+    /// An error of the solver, with what it was doing.
+    pub(crate) fn solver(&self, what: &str, source: octruss_fem::Error) -> Error {
+        Error::Solve { stage: self.stage.label.clone(), what: what.into(), source }
+    }
+
+    /// What the stages before should have made.
+    ///
+    /// # Errors
+    /// That they have not.
+    pub(super) fn needed<T>(&self, made: Result<T, Missing>) -> Result<T, Error> {
+        made.map_err(|missing| Error::Order {
+            stage: self.stage.label.clone(),
+            needs: missing.stage,
+        })
+    }
+}

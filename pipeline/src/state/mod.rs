@@ -1,0 +1,15 @@
+//! What flows between the stages of a run.
+
+mod derived_fields;
+mod floats;
+mod input_numbers;
+mod mesh_phase;
+mod run_state;
+mod sided_fields;
+
+pub use derived_fields::DerivedFields;
+pub(crate) use floats::floats;
+pub use input_numbers::InputNumbers;
+pub use mesh_phase::{MeshPhase, Missing};
+pub use run_state::State;
+pub use sided_fields::SidedFields;

@@ -45,15 +45,15 @@ pub use krylov::iteration::{EachIteration, SolveOptions};
 pub use krylov::operator::Operator;
 pub use krylov::preconditioner::{Identity, Preconditioner};
 pub use krylov::stationary::{geometric_mean, mean_reduction, reductions, stationary_iteration};
+pub use multigrid::figures::summary::LevelSummary;
+pub use multigrid::figures::traffic::{KernelTraffic, Traffic};
 pub use multigrid::galerkin::galerkin;
 pub use multigrid::options::{
     CycleShape, DiagonalKind, MultigridOptions, Precision, ResolvedOptions, Smoother,
 };
 pub use multigrid::projectors::project;
 pub use multigrid::setup::Multigrid;
-pub use multigrid::summary::LevelSummary;
 pub use multigrid::system_entry::SystemEntry;
-pub use multigrid::traffic::{KernelTraffic, Traffic};
 pub use multigrid::transfer::Transfer;
 pub use report::{SolveReport, Unfinished};
 pub use sparse::csr::Csr;

@@ -2,15 +2,12 @@
 
 use crate::boundary::level_unknowns::LevelUnknowns;
 use crate::discretisation::problem::{Assembled, Problem};
-use crate::discretisation::solution::Solution;
-use crate::discretisation::solver::Solver;
-use crate::discretisation::transfers::{TransferSummary, prolongations, summaries, transfers};
 use crate::discretisation::unknown::Unknown;
 use crate::error::Error;
 use crate::options::choices::Cycle;
 use crate::options::solving::Options;
 use octruss_mesh::Hierarchy;
-use octruss_solver::{Csr, Multigrid, SolveOptions, Transfer, conjugate_gradients};
+use octruss_solver::{Csr, Multigrid, SolveOptions, conjugate_gradients};
 use std::time::Instant;
 
 /// A problem on a hierarchy: the matrix and the right-hand side of the finest level, and
@@ -121,35 +118,6 @@ impl<'h, E: Unknown> Discretisation<'h, E> {
     /// Leaves of values at the unknowns of the finest level what is in free directions.
     pub fn project(&self, x: &mut [E::Nodal]) {
         octruss_solver::project(&self.finest().projectors, x);
-    }
-
-    /// The transfers between free unknowns, and what is known of them, both coarsest
-    /// first.
-    ///
-    /// # Errors
-    /// [`octruss_solver::Error::Size`], if levels and matrices do not fit together.
-    pub fn transfers(
-        &self,
-        options: &Options,
-    ) -> Result<(Vec<Transfer<E>>, Vec<TransferSummary>), Error> {
-        let made = prolongations(self.hierarchy, options);
-        Ok((transfers(self, &made, options)?, summaries(self.hierarchy, &made)))
-    }
-
-    /// Sets up what solves it: transfers, coarse matrices, smoothers.
-    ///
-    /// # Errors
-    /// As [`Multigrid::with_transfers`].
-    pub fn solver(&self, options: &Options) -> Result<Solver<'_, E>, Error> {
-        Solver::new(self, options)
-    }
-
-    /// Solves it.
-    ///
-    /// # Errors
-    /// As [`Discretisation::solver`] and [`Solver::solve`].
-    pub fn solve(&self, options: &Options) -> Result<Solution<E>, Error> {
-        self.solver(options)?.solve(None)
     }
 }
 

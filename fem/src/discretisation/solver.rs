@@ -85,3 +85,21 @@ impl<'d, E: Unknown> Solver<'d, E> {
         })
     }
 }
+
+impl<E: Unknown> Discretisation<'_, E> {
+    /// Sets up what solves it: transfers, coarse matrices, smoothers.
+    ///
+    /// # Errors
+    /// As [`Multigrid::with_transfers`].
+    pub fn solver(&self, options: &Options) -> Result<Solver<'_, E>, Error> {
+        Solver::new(self, options)
+    }
+
+    /// Solves it.
+    ///
+    /// # Errors
+    /// As [`Discretisation::solver`] and [`Solver::solve`].
+    pub fn solve(&self, options: &Options) -> Result<Solution<E>, Error> {
+        self.solver(options)?.solve(None)
+    }
+}

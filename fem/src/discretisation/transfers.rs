@@ -75,3 +75,18 @@ pub(crate) fn summaries(hierarchy: &Hierarchy, made: &[Made]) -> Vec<TransferSum
     };
     made.iter().enumerate().map(summary).collect()
 }
+
+impl<E: Unknown> Discretisation<'_, E> {
+    /// The transfers between free unknowns, and what is known of them, both coarsest
+    /// first.
+    ///
+    /// # Errors
+    /// [`octruss_solver::Error::Size`], if levels and matrices do not fit together.
+    pub fn transfers(
+        &self,
+        options: &Options,
+    ) -> Result<(Vec<Transfer<E>>, Vec<TransferSummary>), Error> {
+        let made = prolongations(self.hierarchy, options);
+        Ok((transfers(self, &made, options)?, summaries(self.hierarchy, &made)))
+    }
+}

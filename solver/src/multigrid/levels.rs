@@ -4,14 +4,14 @@
 use crate::error::{Error, check_finite};
 use crate::multigrid::coarse::CoarseSolver;
 use crate::multigrid::cycle::{Coarsest, Cycle};
+use crate::multigrid::figures::summary::LevelSummary;
+use crate::multigrid::figures::traffic::{Traffic, cycle_bytes, measure};
 use crate::multigrid::input::{AnyTransfer, SetupInput};
 use crate::multigrid::level::Level;
 use crate::multigrid::options::{Precision, ResolvedOptions};
 use crate::multigrid::projectors::Projectors;
 use crate::multigrid::smoother::diagonal::Diagonal;
 use crate::multigrid::smoother::level_smoother::Grouping;
-use crate::multigrid::summary::LevelSummary;
-use crate::multigrid::traffic::{Traffic, cycle_bytes, measure};
 use crate::multigrid::transfer::Transfer;
 use crate::sparse::blocks::expand_blocks;
 use crate::sparse::csr::Csr;

@@ -6,6 +6,7 @@
 
 pub mod coarse;
 pub mod cycle;
+pub mod figures;
 pub mod galerkin;
 pub mod input;
 pub mod level;
@@ -15,10 +16,7 @@ pub mod projectors;
 pub mod setup;
 pub mod smoothed_prolongation;
 pub mod smoother;
-pub mod summary;
 pub mod system_entry;
-pub mod table;
-pub mod traffic;
 pub mod transfer;
 pub mod two_parents;
 pub mod weights;

@@ -2,11 +2,11 @@
 
 use crate::error::{Error, check_finite, check_size};
 use crate::krylov::preconditioner::Preconditioner;
+use crate::multigrid::figures::summary::LevelSummary;
+use crate::multigrid::figures::traffic::Traffic;
 use crate::multigrid::levels::Levels;
 use crate::multigrid::options::{MultigridOptions, ResolvedOptions};
-use crate::multigrid::summary::LevelSummary;
 use crate::multigrid::system_entry::SystemEntry;
-use crate::multigrid::traffic::Traffic;
 use crate::multigrid::transfer::Transfer;
 use crate::sparse::csr::Csr;
 use crate::sparse::entry::Nodal;

@@ -1,9 +1,9 @@
 //! The entries of systems that are solved, and where what solves them is compiled.
 
 use crate::error::Error;
+use crate::multigrid::figures::traffic::Traffic;
 use crate::multigrid::levels::Levels;
 use crate::multigrid::options::ResolvedOptions;
-use crate::multigrid::traffic::Traffic;
 use crate::multigrid::transfer::Transfer;
 use crate::sparse::csr::Csr;
 use crate::sparse::entry::Entry;

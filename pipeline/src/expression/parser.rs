@@ -1,11 +1,12 @@
 //! From tokens to code, by recursive descent: a function for each strength of
 //! binding.
 
-use super::Fault;
+use octruss_base::suggestion::suggestion;
+
 use super::code::{Binary, Op, STACK, Unary};
+use super::fault::Fault;
 use super::names::{CONSTANTS, COORDINATES, FUNCTIONS, values};
 use super::tokens::{Kind, Token};
-use octruss_base::suggestion::suggestion;
 
 /// Parentheses and signs may nest this deep, so that no text exhausts the
 /// program's own stack.

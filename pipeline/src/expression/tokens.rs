@@ -1,6 +1,6 @@
 //! Numbers, names and signs of an expression.
 
-use super::Fault;
+use super::fault::Fault;
 
 /// A piece of the text and the byte where it begins.
 #[derive(Debug, Clone, Copy)]

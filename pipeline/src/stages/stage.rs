@@ -6,7 +6,7 @@ use super::check::Check;
 use super::context::Context;
 use super::contradiction::Contradiction;
 use super::import::Import;
-use super::solve::stage::Solve;
+use super::solve::keys::Solve;
 use super::subdivide::Subdivide;
 use super::write::Write;
 use crate::error::Error;

@@ -1,14 +1,11 @@
-//! An elastic body from the names that a config uses, and its deformation.
+//! An elastic body from the names that a config uses.
 
 use octruss_fem::{ByRegion, Elasticity, Held, Material, Stiffness, Support, vector};
-use octruss_mesh::{Hierarchy, RawMesh};
+use octruss_mesh::RawMesh;
 use serde::Deserialize;
 use toml::Spanned;
 
-use super::body::Body;
 use super::fixed::Fixed;
-use super::in_turn::{blank_outside, discretise, solve_in_turn};
-use super::stage::{Outcome, Solve};
 use crate::error::Error;
 use crate::options::{
     MaterialKeys, OnSurface, PerRegion, Springs, Value, ValueOrVector, VectorOnSurface, VectorValue,
@@ -48,30 +45,6 @@ impl Default for ElasticityKeys {
             springs: Vec::new(),
         }
     }
-}
-
-/// Solves the problem that a stage describes on the finest mesh.
-///
-/// # Errors
-/// A surface or region that the mesh does not have, a region without material;
-/// whatever the solver reports.
-pub(super) fn solve(
-    options: &Solve,
-    keys: &ElasticityKeys,
-    hierarchy: &Hierarchy,
-    context: &Context,
-) -> Result<Outcome, Error> {
-    let finest = hierarchy.finest();
-    let problem = problem(keys, finest.mesh.raw(), context)?;
-    let (discrete, assembly_seconds) = discretise(options, hierarchy, &problem, context)?;
-    let length = |u: &[f64; 3]| u.iter().map(|u| u * u).sum::<f64>().sqrt();
-    let (mut displacement, solves) = solve_in_turn(options, &discrete, length, context)?;
-    blank_outside(&mut displacement, &finest.mesh, [f64::NAN; 3]);
-    let body = Body { keys, finest, problem: &problem, constraints: &discrete.constraints };
-    let (figures, point_fields, cell_fields) = body
-        .describe(displacement)
-        .map_err(|source| context.solver("stresses and forces", source))?;
-    Ok(Outcome { solves, assembly_seconds, point_fields, cell_fields, body: Some(figures) })
 }
 
 /// The problem that a stage describes, on this mesh.

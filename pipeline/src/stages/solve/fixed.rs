@@ -5,7 +5,7 @@ use octruss_mesh::RawMesh;
 use serde::Deserialize;
 use toml::Spanned;
 
-use super::problem::Equation;
+use super::equation::Equation;
 use crate::error::Error;
 use crate::options::{Value, ValueOrVector};
 use crate::stages::context::Context;

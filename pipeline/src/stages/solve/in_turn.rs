@@ -7,8 +7,9 @@ use octruss_mesh::{Hierarchy, TetMesh};
 use octruss_meshio::{Field, Values};
 use octruss_solver::Nodal;
 
-use super::problem::Equation;
-use super::stage::{Outcome, Solve};
+use super::equation::Equation;
+use super::keys::Solve;
+use super::outcome::Outcome;
 use super::unfinished::keep;
 use crate::amount::short;
 use crate::error::Error;

@@ -6,9 +6,13 @@
 
 pub mod biharmonic;
 pub mod body;
+pub mod deformation;
 pub mod elasticity;
+pub mod equation;
 pub mod fixed;
 pub mod in_turn;
+pub mod keys;
+pub mod outcome;
 pub mod poisson;
 pub mod problem;
 pub mod stage;

@@ -5,6 +5,7 @@ use toml::Spanned;
 
 use super::biharmonic::BiharmonicKeys;
 use super::elasticity::ElasticityKeys;
+use super::equation::Equation;
 use super::fixed::Fixed;
 use super::poisson::PoissonKeys;
 use crate::options::option_names;
@@ -27,40 +28,6 @@ impl Default for Problem {
     }
 }
 
-/// The equations that can be solved.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Equation {
-    /// Of [`Problem::Poisson`].
-    Poisson,
-    /// Of [`Problem::Biharmonic`].
-    Biharmonic,
-    /// Of [`Problem::Elasticity`].
-    Elasticity,
-}
-
-impl Equation {
-    /// All that there are.
-    pub const ALL: [Self; 3] = [Self::Poisson, Self::Biharmonic, Self::Elasticity];
-
-    /// As configs call it.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Poisson => "poisson",
-            Self::Biharmonic => "biharmonic",
-            Self::Elasticity => "elasticity",
-        }
-    }
-
-    /// The keys that say what is to be solved.
-    pub fn keys(self) -> &'static [&'static str] {
-        match self {
-            Self::Poisson => option_names::<PoissonKeys>(),
-            Self::Biharmonic => option_names::<BiharmonicKeys>(),
-            Self::Elasticity => option_names::<ElasticityKeys>(),
-        }
-    }
-}
-
 impl Problem {
     /// Which equation.
     pub fn equation(&self) -> Equation {
@@ -77,6 +44,17 @@ impl Problem {
             Self::Poisson(keys) => &keys.fixed,
             Self::Biharmonic(keys) => &keys.fixed,
             Self::Elasticity(keys) => &keys.fixed,
+        }
+    }
+}
+
+impl Equation {
+    /// The keys that say what is to be solved.
+    pub fn keys(self) -> &'static [&'static str] {
+        match self {
+            Self::Poisson => option_names::<PoissonKeys>(),
+            Self::Biharmonic => option_names::<BiharmonicKeys>(),
+            Self::Elasticity => option_names::<ElasticityKeys>(),
         }
     }
 }

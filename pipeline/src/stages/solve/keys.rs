@@ -1,0 +1,69 @@
+//! The keys of a stage `solve`.
+
+use octruss_fem::{Options, Prolongations};
+use octruss_mesh::Scheme;
+use serde::Deserialize;
+
+use super::problem::Problem;
+use crate::options::Several;
+use crate::stages::contradiction::Contradiction;
+
+/// Solves a problem on the finest mesh by conjugate gradients with a multigrid
+/// cycle over all levels, or by cycles alone, in turn with each prolongation. The
+/// first solution becomes the field `solution` (of a second such stage `solution-2`),
+/// with NaN at vertices of free-standing triangles and edges, which no tet uses. Of
+/// elasticity these are `displacement`, and `strain`, `stress` and `von-mises` on
+/// tets and recovered at vertices; there one of each material, where there are
+/// several, as `stress-REGION`, NaN at vertices without it. Components of tensors
+/// come in the order of VTK: xx, yy, zz, xy, yz, xz.
+///
+/// In a config the keys of the problem and of the options stand beside these.
+#[derive(Debug, Clone, PartialEq, Deserialize)]
+#[serde(deny_unknown_fields, rename_all = "kebab-case", default)]
+pub struct Solve {
+    /// Which equation, with its data.
+    pub problem: Problem,
+    /// Which matrices prolong, in turn: those of a scheme or `smoothed-linear`.
+    pub prolongation: Several<Prolongations>,
+    /// How it is solved.
+    pub options: Options,
+    /// Measure bytes and bandwidth of each kernel after solving.
+    pub account: bool,
+}
+
+impl Default for Solve {
+    fn default() -> Self {
+        Self {
+            problem: Problem::default(),
+            prolongation: [Scheme::BoxSpline.into(), Scheme::Linear.into()].into(),
+            options: Options::default(),
+            account: false,
+        }
+    }
+}
+
+impl Solve {
+    /// What in the options does not go together, if anything.
+    pub(in crate::stages) fn contradiction(&self) -> Option<Contradiction> {
+        if let Some((key, message)) = self.options.contradiction() {
+            return Some(Contradiction::of_key(key, message));
+        }
+        if let Problem::Elasticity(keys) = &self.problem
+            && keys.material.is_none()
+        {
+            let message = "problem = \"elasticity\" needs `material`, such as \
+                { young = 210e3, poisson = 0.3 }";
+            return Some(Contradiction::of_stage(message.into()));
+        }
+        let equation = self.problem.equation();
+        self.problem.fixed().iter().find_map(|fixed| {
+            let message = fixed.get_ref().contradiction(equation)?;
+            Some(Contradiction::at(fixed.span(), message))
+        })
+    }
+
+    /// The options of a solve with these prolongations.
+    pub(crate) fn with(&self, prolongation: Prolongations) -> Options {
+        Options { prolongation, ..self.options }
+    }
+}

@@ -4,7 +4,7 @@ use std::path::Path;
 use std::sync::atomic::AtomicBool;
 use std::time::Instant;
 
-use octruss_fem::{Discretisation, Error as FemError, Problem as FemProblem};
+use octruss_fem::{Discretisation, Error as FemError, Problem};
 use octruss_mesh::{Hierarchy, Scheme};
 
 use super::carried;
@@ -13,13 +13,13 @@ use super::found::Comparison;
 use super::level_study::LevelStudy;
 use super::row::Row;
 use super::verdict::verdict;
-use crate::error::{ConfigError, Error, Place};
+use crate::error::{ConfigError, ConfigPlace, Error};
 use crate::observer::{Event, Observer, StagePlace};
 use crate::options::{Choice, Compare, Geometry, Named};
 use crate::recipe::Recipe;
 use crate::run::run_into;
 use crate::stages::solve::{biharmonic, elasticity, poisson};
-use crate::stages::{Context, Problem, Solve, Stage, Subdivide};
+use crate::stages::{Context, ProblemKeys, Solve, Stage, Subdivide};
 
 /// Compares what a config's table `[compare]` lists, on the problem of its first stage
 /// `solve` and the levels of its first stage `subdivide`; stages between and after
@@ -82,7 +82,7 @@ impl<'a> Study<'a> {
         stop: &'a AtomicBool,
     ) -> Result<Self, Error> {
         let refuse = |message: String| {
-            let path = || Place::File(recipe.source.path().into());
+            let path = || ConfigPlace::File(recipe.source.path().into());
             let table = recipe.compare.as_ref();
             let place = table.map_or_else(path, |table| recipe.source.place(&table.span()));
             Error::Config(ConfigError { place, message: format!("cannot compare: {message}") })
@@ -158,19 +158,19 @@ impl<'a> Study<'a> {
         let mesh = hierarchy.finest().mesh.raw();
         let levels = (hierarchy, geometry);
         match &self.solve.problem {
-            Problem::Poisson(keys) => {
+            ProblemKeys::Poisson(keys) => {
                 self.compare(levels, &poisson::problem(keys, mesh, &context)?, &context)
             }
-            Problem::Biharmonic(keys) => {
+            ProblemKeys::Biharmonic(keys) => {
                 self.compare(levels, &biharmonic::problem(keys, mesh, &context)?, &context)
             }
-            Problem::Elasticity(keys) => {
+            ProblemKeys::Elasticity(keys) => {
                 self.compare(levels, &elasticity::problem(keys, mesh, &context)?, &context)
             }
         }
     }
 
-    fn compare<P: FemProblem>(
+    fn compare<P: Problem>(
         &self,
         (hierarchy, geometry): (&Hierarchy, Geometry),
         problem: &P,

@@ -8,14 +8,14 @@ use std::path::PathBuf;
 #[error("{place}: {message}")]
 pub struct ConfigError {
     /// Where the mistake is.
-    pub place: Place,
+    pub place: ConfigPlace,
     /// What was found, what was expected, what to do.
     pub message: String,
 }
 
 /// A place in a config, as a user can find it.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub enum Place {
+pub enum ConfigPlace {
     /// The file as a whole.
     File(PathBuf),
     /// A line and a column, both counted from 1.
@@ -34,7 +34,7 @@ pub enum Place {
     },
 }
 
-impl fmt::Display for Place {
+impl fmt::Display for ConfigPlace {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::File(path) => write!(f, "{}", path.display()),

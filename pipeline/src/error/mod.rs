@@ -5,7 +5,7 @@ mod run_error;
 mod source;
 mod unfinished_solve;
 
-pub use config_error::{ConfigError, Place};
+pub use config_error::{ConfigError, ConfigPlace};
 pub use run_error::Error;
 pub use source::{Override, Source};
 pub use unfinished_solve::UnfinishedSolve;

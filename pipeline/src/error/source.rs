@@ -3,7 +3,7 @@
 use std::ops::Range;
 use std::path::{Path, PathBuf};
 
-use super::config_error::{ConfigError, Place};
+use super::config_error::{ConfigError, ConfigPlace};
 
 /// A config file and the overrides of the command line as one numbered text,
 /// so that any byte range says where it came from.
@@ -69,14 +69,14 @@ impl Source {
     }
 
     /// Where the first byte of a range is, in words for a user.
-    pub fn place(&self, span: &Range<usize>) -> Place {
+    pub fn place(&self, span: &Range<usize>) -> ConfigPlace {
         let typed = self.overrides.iter().rev().find(|typed| typed.start <= span.start);
         if let Some(found) = typed {
-            return Place::Override { typed: found.typed.clone() };
+            return ConfigPlace::Override { typed: found.typed.clone() };
         }
         let before = self.text.get(..span.start).unwrap_or(&self.text);
         let line_start = before.rfind('\n').map_or(0, |newline| newline + 1);
-        Place::Line {
+        ConfigPlace::Line {
             path: self.path.clone(),
             line: before.matches('\n').count() + 1,
             column: before[line_start..].chars().count() + 1,

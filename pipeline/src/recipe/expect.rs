@@ -2,7 +2,7 @@
 
 use octruss_base::suggestion::suggestion;
 
-use crate::error::{ConfigError, Place};
+use crate::error::{ConfigError, ConfigPlace};
 use crate::report::{Bounds, Outcome, Report};
 
 /// Bounds on one number of the report.
@@ -13,7 +13,7 @@ pub struct Expectation {
     /// What it must keep.
     pub bounds: Bounds,
     /// Where the config says so.
-    pub place: Place,
+    pub place: ConfigPlace,
 }
 
 /// Compares every expectation with the report, in the config's order.

@@ -14,7 +14,7 @@ use super::explain::deserialize;
 use super::overrides::apply;
 use super::stage_tables::read_stages;
 use super::tree::Tree;
-use crate::error::{ConfigError, Place, Source};
+use crate::error::{ConfigError, ConfigPlace, Source};
 use crate::options::Compare;
 use crate::report::Bounds;
 
@@ -40,7 +40,7 @@ impl Recipe {
     /// line, column and key.
     pub fn load(path: &Path, overrides: &[String]) -> Result<Self, ConfigError> {
         let text = std::fs::read_to_string(path).map_err(|error| ConfigError {
-            place: Place::File(path.into()),
+            place: ConfigPlace::File(path.into()),
             message: format!("cannot read the config: {error}"),
         })?;
         Self::parse(path, text, overrides)

@@ -11,7 +11,7 @@ use super::solve_keys::sort_keys;
 use super::tree::Tree;
 use crate::error::{ConfigError, Source};
 use crate::options::suggestion;
-use crate::stages::{Contradiction, Stage, Where};
+use crate::stages::{Stage, StageContradiction, Where};
 
 /// Reads every stage, after those before it.
 ///
@@ -29,7 +29,7 @@ pub fn read_stages(root: &Tree, source: &Source) -> Result<Vec<Stage>, ConfigErr
             let message = format!("stage `{label}` needs a stage `{needed}` before it");
             return Err(source.error(&tree.span(), message));
         }
-        if let Some(Contradiction { place, message }) = stage.contradiction() {
+        if let Some(StageContradiction { place, message }) = stage.contradiction() {
             let message = format!("stage `{label}`: {message}");
             return Err(source.error(&place_of(place, tree), message));
         }

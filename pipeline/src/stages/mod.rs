@@ -3,7 +3,7 @@
 
 mod check;
 mod context;
-mod contradiction;
+
 mod corner_fields;
 mod field_notes;
 mod groups;
@@ -11,13 +11,13 @@ mod import;
 mod jumps;
 pub(crate) mod solve;
 mod stage;
+mod stage_contradiction;
 mod stale;
 mod subdivide;
 mod write;
 
 pub use check::Check;
 pub use context::Context;
-pub use contradiction::{Contradiction, Where};
 pub use import::Import;
 pub use solve::biharmonic::BiharmonicKeys;
 pub use solve::elasticity::ElasticityKeys;
@@ -25,7 +25,8 @@ pub use solve::equation::Equation;
 pub use solve::fixed::Fixed;
 pub use solve::keys::Solve;
 pub use solve::poisson::PoissonKeys;
-pub use solve::problem::Problem;
+pub use solve::problem_keys::ProblemKeys;
 pub use stage::Stage;
+pub use stage_contradiction::{StageContradiction, Where};
 pub use subdivide::Subdivide;
 pub use write::Write;

@@ -4,9 +4,9 @@ use serde::Deserialize;
 
 use super::check::Check;
 use super::context::Context;
-use super::contradiction::Contradiction;
 use super::import::Import;
 use super::solve::keys::Solve;
+use super::stage_contradiction::StageContradiction;
 use super::subdivide::Subdivide;
 use super::write::Write;
 use crate::error::Error;
@@ -54,9 +54,9 @@ impl Stage {
     }
 
     /// What in the options does not go together, if anything.
-    pub fn contradiction(&self) -> Option<Contradiction> {
+    pub fn contradiction(&self) -> Option<StageContradiction> {
         match self {
-            Self::Subdivide(options) => options.contradiction().map(Contradiction::of_stage),
+            Self::Subdivide(options) => options.contradiction().map(StageContradiction::of_stage),
             Self::Solve(options) => options.contradiction(),
             _ => None,
         }

@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 use std::sync::atomic::{AtomicBool, Ordering};
 
-use octruss::error::{ConfigError, Place};
+use octruss::error::{ConfigError, ConfigPlace};
 use octruss::{Error, Recipe, Report, amount};
 
 use crate::cli::display::Display;
@@ -69,7 +69,7 @@ impl Run {
         for (index, recipe) in recipes.iter().enumerate() {
             if recipes[..index].iter().any(|before| before.name == recipe.name) {
                 let message = format!("another config is called `{}`, too", recipe.name);
-                let place = Place::File(self.configs[index].clone());
+                let place = ConfigPlace::File(self.configs[index].clone());
                 return Err(ConfigError { place, message }.into());
             }
         }

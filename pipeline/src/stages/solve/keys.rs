@@ -4,9 +4,9 @@ use octruss_fem::{Options, Prolongations};
 use octruss_mesh::Scheme;
 use serde::Deserialize;
 
-use super::problem::Problem;
+use super::problem_keys::ProblemKeys;
 use crate::options::Several;
-use crate::stages::contradiction::Contradiction;
+use crate::stages::stage_contradiction::StageContradiction;
 
 /// Solves a problem on the finest mesh by conjugate gradients with a multigrid
 /// cycle over all levels, or by cycles alone, in turn with each prolongation. The
@@ -22,7 +22,7 @@ use crate::stages::contradiction::Contradiction;
 #[serde(deny_unknown_fields, rename_all = "kebab-case", default)]
 pub struct Solve {
     /// Which equation, with its data.
-    pub problem: Problem,
+    pub problem: ProblemKeys,
     /// Which matrices prolong, in turn: those of a scheme or `smoothed-linear`.
     pub prolongation: Several<Prolongations>,
     /// How it is solved.
@@ -34,7 +34,7 @@ pub struct Solve {
 impl Default for Solve {
     fn default() -> Self {
         Self {
-            problem: Problem::default(),
+            problem: ProblemKeys::default(),
             prolongation: [Scheme::BoxSpline.into(), Scheme::Linear.into()].into(),
             options: Options::default(),
             account: false,
@@ -44,21 +44,21 @@ impl Default for Solve {
 
 impl Solve {
     /// What in the options does not go together, if anything.
-    pub(in crate::stages) fn contradiction(&self) -> Option<Contradiction> {
+    pub(in crate::stages) fn contradiction(&self) -> Option<StageContradiction> {
         if let Some((key, message)) = self.options.contradiction() {
-            return Some(Contradiction::of_key(key, message));
+            return Some(StageContradiction::of_key(key, message));
         }
-        if let Problem::Elasticity(keys) = &self.problem
+        if let ProblemKeys::Elasticity(keys) = &self.problem
             && keys.material.is_none()
         {
             let message = "problem = \"elasticity\" needs `material`, such as \
                 { young = 210e3, poisson = 0.3 }";
-            return Some(Contradiction::of_stage(message.into()));
+            return Some(StageContradiction::of_stage(message.into()));
         }
         let equation = self.problem.equation();
         self.problem.fixed().iter().find_map(|fixed| {
             let message = fixed.get_ref().contradiction(equation)?;
-            Some(Contradiction::at(fixed.span(), message))
+            Some(StageContradiction::at(fixed.span(), message))
         })
     }
 

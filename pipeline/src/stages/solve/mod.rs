@@ -14,6 +14,6 @@ pub mod in_turn;
 pub mod keys;
 pub mod outcome;
 pub mod poisson;
-pub mod problem;
+pub mod problem_keys;
 pub mod stage;
 pub mod unfinished;

@@ -5,7 +5,7 @@ use octruss_meshio::Field;
 
 use super::keys::Solve;
 use super::outcome::Outcome;
-use super::problem::Problem;
+use super::problem_keys::ProblemKeys;
 use super::{biharmonic, deformation, in_turn, poisson};
 use crate::error::Error;
 use crate::report::SolveStageReport;
@@ -21,15 +21,15 @@ impl Solve {
         let hierarchy = context.needed(state.levels(&FeatureOptions::default()))?;
         let mesh = hierarchy.finest().mesh.raw();
         let outcome = match &self.problem {
-            Problem::Poisson(keys) => {
+            ProblemKeys::Poisson(keys) => {
                 let problem = poisson::problem(keys, mesh, context)?;
                 in_turn::scalar(self, hierarchy, &problem, context)?
             }
-            Problem::Biharmonic(keys) => {
+            ProblemKeys::Biharmonic(keys) => {
                 let problem = biharmonic::problem(keys, mesh, context)?;
                 in_turn::scalar(self, hierarchy, &problem, context)?
             }
-            Problem::Elasticity(keys) => deformation::solve(self, keys, hierarchy, context)?,
+            ProblemKeys::Elasticity(keys) => deformation::solve(self, keys, hierarchy, context)?,
         };
         let Outcome { solves, assembly_seconds, body, point_fields, cell_fields } = outcome;
         let number = context.stage.label.strip_prefix("solve").unwrap_or_default();

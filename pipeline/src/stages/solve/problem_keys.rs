@@ -13,7 +13,7 @@ use crate::options::option_names;
 /// An equation with its data, by the names that a config uses.
 #[derive(Debug, Clone, PartialEq, Deserialize)]
 #[serde(rename_all = "kebab-case")]
-pub enum Problem {
+pub enum ProblemKeys {
     /// −div(k grad u) = f.
     Poisson(PoissonKeys),
     /// Δ²u = f, in mixed form.
@@ -22,13 +22,13 @@ pub enum Problem {
     Elasticity(Box<ElasticityKeys>),
 }
 
-impl Default for Problem {
+impl Default for ProblemKeys {
     fn default() -> Self {
         Self::Poisson(PoissonKeys::default())
     }
 }
 
-impl Problem {
+impl ProblemKeys {
     /// Which equation.
     pub fn equation(&self) -> Equation {
         match self {

@@ -4,7 +4,7 @@ use std::ops::Range;
 
 /// What does not go together, and where the config says so.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Contradiction {
+pub struct StageContradiction {
     /// Where.
     pub place: Where,
     /// What, and what to do.
@@ -22,7 +22,7 @@ pub enum Where {
     Span(Range<usize>),
 }
 
-impl Contradiction {
+impl StageContradiction {
     /// About the stage as a whole.
     pub(super) fn of_stage(message: String) -> Self {
         Self { place: Where::Stage, message }

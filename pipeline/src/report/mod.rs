@@ -1,7 +1,6 @@
 //! What a run did, as `report.json` tells it: plain data. The names of the keys are a
 //! promise to scripts.
 
-mod carried_fields;
 mod check_report;
 mod file;
 mod finding_report;
@@ -11,10 +10,9 @@ mod outcome;
 mod run_report;
 mod solve;
 mod stage_report;
-mod subdivide_report;
+mod subdivide;
 mod write_report;
 
-pub use carried_fields::{CarriedFields, FieldFigures};
 pub use check_report::CheckReport;
 pub use finding_report::FindingReport;
 pub use import_report::ImportReport;
@@ -25,7 +23,8 @@ pub use solve::{
     SurfaceForce, TrafficFigures, TransferFigures,
 };
 pub use stage_report::{Done, StageReport};
-pub use subdivide_report::{
-    GuardFigures, LevelReport, MarkingFigures, ReasonCounts, StrataCounts, SubdivideReport,
+pub use subdivide::{
+    CarriedFields, FieldFigures, GuardFigures, LevelReport, MarkingFigures, ReasonCounts,
+    StrataCounts, SubdivideReport,
 };
 pub use write_report::WriteReport;

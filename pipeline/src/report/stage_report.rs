@@ -5,7 +5,7 @@ use serde::{Deserialize, Serialize};
 use super::check_report::CheckReport;
 use super::import_report::ImportReport;
 use super::solve::SolveStageReport;
-use super::subdivide_report::SubdivideReport;
+use super::subdivide::SubdivideReport;
 use super::write_report::WriteReport;
 
 /// What one stage did.

@@ -1,5 +1,45 @@
 //! Tetrahedral meshes, and the ways from a mesh to a finer one.
 //!
+//! For whoever has a coarse mesh of a solid and wants finer ones of a better
+//! shape: smooth inside and on the surface, with edges and corners kept sharp,
+//! and with what leads from one level to the next: for fields, for regions and
+//! names, and for multigrid.
+//!
+//! ```
+//! use octruss_mesh::{
+//!     CheckOptions, FeatureOptions, Hierarchy, Overshoot, RawMesh, Scheme, check,
+//! };
+//!
+//! // A cube of five tets, of which the last is of another material.
+//! let corner = |v: u32| [v & 1, v >> 1 & 1, v >> 2].map(f64::from);
+//! let raw = RawMesh {
+//!     points: (0..8).map(corner).collect(),
+//!     tets: vec![[0, 6, 5, 3], [1, 0, 5, 3], [2, 0, 3, 6], [4, 0, 6, 5], [7, 3, 5, 6]],
+//!     regions: vec![1, 1, 1, 1, 2],
+//!     ..RawMesh::default()
+//! };
+//! let mesh = check(raw, &CheckOptions::default())?.mesh;
+//!
+//! // Two levels of the box-spline scheme. Edges sharper than 40 degrees stay.
+//! let mut levels = Hierarchy::new(mesh, &FeatureOptions::default());
+//! for _ in 0..2 {
+//!     levels.subdivide(Scheme::BoxSpline)?;
+//! }
+//! let finest = &levels.finest().mesh;
+//! assert_eq!(finest.tets().len(), 5 * 64);
+//!
+//! // What is known of the coarse mesh goes down with it.
+//! let mut height: Vec<f64> = levels.coarsest().mesh.points().iter().map(|p| p[2]).collect();
+//! let mut regions = levels.coarsest().mesh.regions().to_vec();
+//! for refinement in levels.refinements() {
+//!     height = refinement.carry_point_field(&height, 1, Overshoot::Allow).values;
+//!     regions = refinement.inherit(&regions, 1);
+//! }
+//! assert!(finest.points().iter().zip(&height).all(|(p, z)| (p[2] - z).abs() < 1e-12));
+//! assert_eq!(finest.regions(), regions);
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+//!
 //! Data moves in one direction:
 //!
 //! ```text
@@ -9,7 +49,8 @@
 //! A [`RawMesh`] is what a file said; a [`TetMesh`] has passed [`check()`] and
 //! is immutable; [`Topology`] (edges, faces and incidences) is derived from it
 //! by sorting. [`reference_tet`] owns every table about a single tet,
-//! [`Scheme`] every weight, [`strata`] decides which rule holds where.
+//! [`Scheme`] every weight, [`strata`] decides which rule holds where; a
+//! [`Refinement`] knows which coarse simplex each fine one lies in.
 
 pub mod analysis;
 mod choices;

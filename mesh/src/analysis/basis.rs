@@ -1,6 +1,6 @@
 //! Basis functions of subdivision, and values along a line.
 
-use super::AnalysisError;
+use super::error::AnalysisError;
 use super::tet_grid::TetGrid;
 use crate::core::tet_mesh::TetMesh;
 use crate::hierarchy::Hierarchy;

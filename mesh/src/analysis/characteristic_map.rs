@@ -1,8 +1,11 @@
 //! The map of a star by its three dominant eigenvectors.
 
+use super::eigenvectors;
+use super::error::AnalysisError;
+use super::local_matrix::LocalMatrix;
+use super::no_map::NoMap;
 use super::refined_star::RefinedStar;
 use super::tet_grid::TetGrid;
-use super::{AnalysisError, LocalMatrix, eigenvectors};
 use crate::core::raw_mesh::RawMesh;
 use crate::core::reference_tet::six_volumes;
 use crate::core::tet_mesh::TetMesh;
@@ -34,23 +37,6 @@ pub struct CharacteristicMap {
     pub preimage: Vec<[f64; 3]>,
     /// For each vertex how many edges lead to the centre; 8 on the rim.
     pub layers: Vec<u32>,
-}
-
-/// Why there is no characteristic map.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]
-pub enum NoMap {
-    /// The matrix has fewer than four rows.
-    #[error("there are fewer than four eigenvalues")]
-    TooFew,
-    /// λ1 to λ3 are not all real.
-    #[error("λ1 to λ3 are not all real")]
-    Complex,
-    /// λ3 and λ4 have the same modulus.
-    #[error("λ3 is not larger than λ4")]
-    NotSeparated,
-    /// λ1 to λ3 have fewer than three independent eigenvectors.
-    #[error("λ1 to λ3 have no three independent eigenvectors")]
-    Dependent,
 }
 
 impl CharacteristicMap {

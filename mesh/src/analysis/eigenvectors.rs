@@ -2,7 +2,8 @@
 
 use nalgebra::{DMatrix, DVector};
 
-use super::{NoMap, Spectrum};
+use super::no_map::NoMap;
+use super::spectrum::Spectrum;
 
 /// Eigenvalues closer than this share one space of eigenvectors.
 const SAME: f64 = 1e-7;

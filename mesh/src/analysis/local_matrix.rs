@@ -2,8 +2,9 @@
 
 use nalgebra::DMatrix;
 
+use super::error::AnalysisError;
 use super::refined_star::RefinedStar;
-use super::{AnalysisError, Spectrum};
+use super::spectrum::Spectrum;
 use crate::core::tet_mesh::TetMesh;
 use crate::hierarchy::Hierarchy;
 use crate::scheme::Scheme;

@@ -1,6 +1,8 @@
 //! A star refined towards its centre, and one step of a scheme on it.
 
-use super::{AnalysisError, place, star};
+use super::error::AnalysisError;
+use super::place;
+use super::star::star;
 use crate::core::tet_mesh::TetMesh;
 use crate::hierarchy::Hierarchy;
 use crate::refinement::subdivision_matrix::SubdivisionMatrix;

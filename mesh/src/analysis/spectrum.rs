@@ -4,7 +4,7 @@ use std::cmp::Ordering;
 
 use nalgebra::{DMatrix, linalg::Schur};
 
-use super::AnalysisError;
+use super::error::AnalysisError;
 
 /// Moduli that differ by less count as equal.
 const TOLERANCE: f64 = 1e-9;

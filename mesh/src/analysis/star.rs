@@ -1,6 +1,6 @@
 //! The tets at one vertex.
 
-use super::AnalysisError;
+use super::error::AnalysisError;
 use crate::core::raw_mesh::{Features, RawMesh, Tagged};
 use crate::core::tet_mesh::TetMesh;
 

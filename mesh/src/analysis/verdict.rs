@@ -1,6 +1,8 @@
 //! What a local spectrum says about a scheme at a vertex.
 
-use super::{CharacteristicMap, NoMap, Spectrum};
+use super::characteristic_map::CharacteristicMap;
+use super::no_map::NoMap;
+use super::spectrum::Spectrum;
 
 /// Smoothness of a scheme at a vertex, as far as its spectrum and a sample of
 /// its characteristic map show it: numerical evidence, no proof.

@@ -1,10 +1,10 @@
 //! Searching a mesh for creases and corners.
 
-use super::FeatureOptions;
-use super::reasons::Reason;
 use crate::core::raw_mesh::{Features, RawMesh};
 use crate::core::strata::{Incidence, opposite_vertices, surface_faces};
 use crate::core::topology::{NONE, Topology, ascending};
+use crate::features::options::FeatureOptions;
+use crate::features::reason::Reason;
 
 /// Creases and corners with their reasons; sorted, each once.
 pub(super) struct Found {

@@ -5,8 +5,7 @@ use crate::core::tet_mesh::TetMesh;
 use crate::core::topology::{EdgeFaces, Topology, VertexEdges};
 use crate::refinement::subdivision_matrix::{SubdivisionMatrix, linear_matrix};
 use crate::scheme::Scheme;
-use crate::subdivide::neighbourhoods::Neighbourhoods;
-use crate::subdivide::rules;
+use crate::subdivide::rules::table::Rules;
 
 /// The matrix of one step of a scheme on a mesh with its topology.
 ///
@@ -24,18 +23,18 @@ pub fn subdivision_matrix(
 pub(crate) fn matrix_with(
     mesh: &RawMesh,
     topology: &Topology,
-    (vertex_edges, edge_faces): (&VertexEdges, &EdgeFaces),
+    incidences: (&VertexEdges, &EdgeFaces),
     scheme: Scheme,
 ) -> SubdivisionMatrix {
     if scheme == Scheme::Linear {
         return linear_matrix(topology);
     }
     let n = topology.vertex_count();
-    let near = Neighbourhoods::new(mesh, topology, (vertex_edges, edge_faces), scheme);
+    let rules = Rules::new(mesh, topology, incidences, scheme);
     SubdivisionMatrix::from_rows(n + topology.edges().len(), n, |row, entries| {
         match row.checked_sub(n) {
-            None => rules::vertex_row(scheme, &near, row as u32, entries),
-            Some(edge) => rules::edge_row(scheme, &near, edge as u32, entries),
+            None => rules.vertex_row(row as u32, entries),
+            Some(edge) => rules.edge_row(edge as u32, entries),
         }
     })
 }

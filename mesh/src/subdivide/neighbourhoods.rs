@@ -8,8 +8,6 @@ use crate::core::raw_mesh::{Features, RawMesh};
 use crate::core::reference_tet::{EDGES, MARKED, opposite_ends};
 use crate::core::strata::Strata;
 use crate::core::topology::{EdgeFaces, EdgeTets, NONE, Topology, VertexEdges, ascending};
-use crate::scheme::Scheme;
-use crate::subdivide::octets::Octets;
 
 /// A vertex, or a combination of vertices that stands for a missing one; the
 /// weights sum to one.
@@ -27,7 +25,6 @@ pub(crate) struct Neighbourhoods<'a> {
     /// Only two of the schemes ask for it.
     edge_tets: OnceLock<EdgeTets>,
     pub strata: Strata,
-    octets: Option<Octets>,
 }
 
 impl<'a> Neighbourhoods<'a> {
@@ -35,22 +32,11 @@ impl<'a> Neighbourhoods<'a> {
         mesh: &'a RawMesh,
         topology: &'a Topology,
         (vertex_edges, edge_faces): (&'a VertexEdges, &'a EdgeFaces<'a>),
-        scheme: Scheme,
     ) -> Self {
         let smooth = Features::default();
         let strata = Strata::new(mesh, topology, mesh.features.as_ref().unwrap_or(&smooth));
         let edge_tets = OnceLock::new();
-        let mut near =
-            Self { mesh, topology, vertex_edges, edge_faces, edge_tets, strata, octets: None };
-        if scheme == Scheme::Averaged {
-            near.octets = Some(Octets::new(&near, mesh, topology));
-        }
-        near
-    }
-
-    /// The cells of the octet truss, for the scheme that lives on it.
-    pub fn octets(&self) -> &Octets {
-        self.octets.as_ref().expect("made for the averaged scheme")
+        Self { mesh, topology, vertex_edges, edge_faces, edge_tets, strata }
     }
 
     pub fn ends(&self, edge: u32) -> [u32; 2] {

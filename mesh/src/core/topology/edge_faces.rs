@@ -2,7 +2,7 @@
 
 use std::sync::OnceLock;
 
-use super::Topology;
+use super::edges_and_faces::Topology;
 use octruss_base::groups::Groups;
 
 /// The faces at each edge, by which of the edges ab, ac, bc of the face

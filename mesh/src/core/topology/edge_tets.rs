@@ -1,6 +1,6 @@
 //! The tets round each edge.
 
-use super::Topology;
+use super::edges_and_faces::Topology;
 use octruss_base::groups::Groups;
 
 /// The tets round each edge, as slots 6 · tet + local edge, ascending.

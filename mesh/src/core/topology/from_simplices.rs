@@ -5,7 +5,7 @@
 
 use rayon::prelude::*;
 
-use super::{NONE, Topology, ascending, find_edge};
+use super::edges_and_faces::{NONE, Topology, ascending, find_edge};
 use crate::core::raw_mesh::RawMesh;
 use crate::core::reference_tet::edge_between;
 use octruss_base::groups::Groups;

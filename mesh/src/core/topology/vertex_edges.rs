@@ -2,7 +2,7 @@
 
 use rayon::prelude::*;
 
-use super::Topology;
+use super::edges_and_faces::Topology;
 use octruss_base::large_array::zeroed;
 use octruss_base::ragged::{self, CHUNK};
 

@@ -6,14 +6,14 @@
 //! truss are *hard*, vertices opposite across an octahedron *soft*. In the
 //! regular truss the rules are the exact mean masks.
 
-use super::add_ends;
+use super::shares::add_ends;
 use crate::refinement::subdivision_matrix::Row;
 use crate::subdivide::neighbourhoods::Neighbourhoods;
+use crate::subdivide::octets::Octets;
 
 /// 9/16 itself; 7/16 shared by its h hard neighbours, three parts each, and its
 /// s soft ones, one part each.
-pub(crate) fn vertex(near: &Neighbourhoods, vertex: u32, row: &mut Row) {
-    let octets = near.octets();
+pub(crate) fn vertex(near: &Neighbourhoods, octets: &Octets, vertex: u32, row: &mut Row) {
     let hard: Vec<u32> = octets.hard_neighbours(near, vertex).collect();
     let soft: Vec<u32> = octets.opposite_vertices(vertex).collect();
     let part = 7.0 / 16.0 / (3 * hard.len() + soft.len()) as f64;
@@ -25,8 +25,7 @@ pub(crate) fn vertex(near: &Neighbourhoods, vertex: u32, row: &mut Row) {
 /// The diagonal of an octahedron: 1/6 each of its six vertices. An edge of the
 /// truss: 7/24 the ends; 5/12 shared by the h hard ring vertices, four parts
 /// each, and the s soft ones (two an octahedron), one part each.
-pub(crate) fn edge(near: &Neighbourhoods, edge: u32, row: &mut Row) {
-    let octets = near.octets();
+pub(crate) fn edge(near: &Neighbourhoods, octets: &Octets, edge: u32, row: &mut Row) {
     if octets.is_diagonal(edge) {
         add_ends(near, edge, 1.0 / 6.0, row);
         near.link(edge).for_each(|v| row.add(v, 1.0 / 6.0));

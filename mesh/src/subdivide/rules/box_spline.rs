@@ -1,6 +1,6 @@
 //! The box-spline scheme inside a solid (Chang's thesis, section 4.5).
 
-use super::add_own_and_neighbours;
+use super::shares::add_own_and_neighbours;
 use crate::refinement::subdivision_matrix::Row;
 use crate::subdivide::neighbourhoods::Neighbourhoods;
 

@@ -1,6 +1,6 @@
 //! Rules along curve strata: creases, borders, and curves of their own.
 
-use super::midpoint;
+use super::shares::midpoint;
 use crate::refinement::subdivision_matrix::Row;
 use crate::subdivide::neighbourhoods::Neighbourhoods;
 

@@ -1,6 +1,6 @@
 //! The interpolatory scheme inside a solid (Chang's thesis, chapter 5).
 
-use super::add_ends;
+use super::shares::add_ends;
 use crate::refinement::subdivision_matrix::Row;
 use crate::scheme::MarkedRule;
 use crate::subdivide::neighbourhoods::Neighbourhoods;

@@ -1,7 +1,7 @@
 //! Wang's Loop-based scheme inside a solid (thesis, section 3.1.2); its interior
 //! edges are halved.
 
-use super::add_own_and_neighbours;
+use super::shares::add_own_and_neighbours;
 use crate::refinement::subdivision_matrix::Row;
 use crate::subdivide::neighbourhoods::Neighbourhoods;
 

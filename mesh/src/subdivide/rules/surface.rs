@@ -2,7 +2,7 @@
 
 use std::f64::consts::TAU;
 
-use super::add_ends;
+use super::shares::add_ends;
 use crate::refinement::subdivision_matrix::Row;
 use crate::subdivide::neighbourhoods::Neighbourhoods;
 

@@ -1,18 +1,7 @@
-//! Readying the coarsest mesh, once: its marking, its creases and corners.
+//! How a coarsest mesh is readied.
 
-mod extra;
-mod found;
-mod reasons;
-
-pub use extra::{ExtraFeatures, FeatureError};
-pub use found::find_features;
-pub use reasons::{FeatureReasons, Reason};
-
-use crate::core::raw_mesh::Features;
-use crate::core::tet_mesh::TetMesh;
-use crate::core::topology::Topology;
-use crate::marking::{Marking, mark};
-use crate::soundness::quality::smallest_mean_ratio;
+use crate::features::extra::ExtraFeatures;
+use crate::marking::Marking;
 
 /// How a coarsest mesh is readied: its marking, and where its creases and
 /// corners come from.
@@ -48,20 +37,4 @@ impl Default for FeatureOptions {
             extra: ExtraFeatures::default(),
         }
     }
-}
-
-/// Readies a coarsest mesh for refinement: marks its tets and finds its
-/// features. A mesh that carries features has been through this and is
-/// returned as it is, whatever the options, so that refining twice by one level
-/// equals once by two.
-pub fn prepare(mesh: TetMesh, options: &FeatureOptions) -> TetMesh {
-    if mesh.features().is_some() {
-        return mesh;
-    }
-    let mut raw = mesh.into_raw();
-    let topology = Topology::new(&raw);
-    mark(&mut raw, &topology, options.marking);
-    let initial_quality = Some(smallest_mean_ratio(&raw));
-    raw.features = Some(Features { initial_quality, ..find_features(&raw, &topology, options) });
-    TetMesh::trusted(raw)
 }

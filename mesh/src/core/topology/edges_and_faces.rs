@@ -1,13 +1,4 @@
-//! Edges and faces of a mesh, and who touches whom.
-
-mod edge_faces;
-mod edge_tets;
-mod from_simplices;
-mod vertex_edges;
-
-pub use edge_faces::EdgeFaces;
-pub use edge_tets::EdgeTets;
-pub use vertex_edges::VertexEdges;
+//! The edges and faces of a mesh, with their incidences.
 
 use octruss_base::groups::Groups;
 
@@ -113,7 +104,7 @@ impl Topology {
     }
 }
 
-fn find_edge(edges: &[[u32; 2]], first_edges: &[u32], a: u32, b: u32) -> Option<u32> {
+pub(super) fn find_edge(edges: &[[u32; 2]], first_edges: &[u32], a: u32, b: u32) -> Option<u32> {
     let (low, high) = (a.min(b), a.max(b));
     let start = *first_edges.get(low as usize)? as usize;
     let end = *first_edges.get(low as usize + 1)? as usize;
@@ -132,6 +123,7 @@ mod tests {
     use crate::core::raw_mesh::RawMesh;
     use crate::core::reference_tet::{EDGES, FACES};
     use crate::core::shapes::{five_tet_cube, kuhn_cube, regular_tet};
+    use crate::core::topology::{EdgeTets, VertexEdges};
 
     /// Edges and faces collected the slow, obvious way.
     fn slow(mesh: &RawMesh) -> (Vec<[u32; 2]>, Vec<[u32; 3]>) {

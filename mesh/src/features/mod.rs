@@ -1,0 +1,15 @@
+//! Readying the coarsest mesh, once: its marking, its creases and corners.
+
+mod extra;
+mod feature_reasons;
+mod found;
+mod options;
+mod prepare;
+mod reason;
+
+pub use extra::{ExtraFeatures, FeatureError};
+pub use feature_reasons::FeatureReasons;
+pub use found::find_features;
+pub use options::FeatureOptions;
+pub use prepare::prepare;
+pub use reason::Reason;

@@ -10,6 +10,23 @@
 //! is immutable; [`Topology`] (edges, faces and incidences) is derived from it
 //! by sorting. [`reference_tet`] owns every table about a single tet,
 //! [`Scheme`] every weight, [`strata`] decides which rule holds where.
+//!
+//! ```
+//! use octruss_mesh::{CheckOptions, FeatureOptions, Hierarchy, Scheme, check, shapes};
+//!
+//! // What a file might say: the unit cube in five tets.
+//! let raw = shapes::five_tet_cube().into_raw();
+//! let mesh = check(raw, &CheckOptions::default())?.mesh;
+//! // Its edges are sharp and stay so; what is inside is smoothed.
+//! let mut hierarchy = Hierarchy::new(mesh, &FeatureOptions::default());
+//! hierarchy.subdivide(Scheme::BoxSpline)?;
+//! hierarchy.subdivide(Scheme::BoxSpline)?;
+//! let fine = &hierarchy.finest().mesh;
+//! assert_eq!(fine.tets().len(), 5 * 8 * 8);
+//! let volume: f64 = (0..fine.tets().len()).map(|tet| fine.volume(tet)).sum();
+//! assert!((volume - 1.0).abs() < 1e-12);
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
 
 pub mod analysis;
 mod choices;

@@ -5,6 +5,47 @@
 //! Recipe ─▶ stages over a State ─▶ Report
 //! ```
 //!
+//! ```
+//! use octruss::observer::{Event, StagePlace};
+//! use octruss_meshio::Dataset;
+//! use std::sync::atomic::AtomicBool;
+//!
+//! let folder = tempfile::tempdir()?;
+//! let mesh = octruss_mesh::shapes::kuhn_cube(2).into_raw();
+//! let cube = Dataset { mesh, ..Dataset::default() };
+//! octruss_meshio::write(&folder.path().join("cube.vtu"), &cube)?;
+//!
+//! // −Δu = 1 between two walls at 0: u = x (1 − x) / 2, at most 1/8.
+//! let config = r#"
+//!     name = "walls"
+//!     [[stage]]
+//!     kind = "import"
+//!     path = "cube.vtu"
+//!     [[stage]]
+//!     kind = "check"
+//!     [[stage]]
+//!     kind = "subdivide"
+//!     scheme = "linear"
+//!     levels = 2
+//!     [[stage]]
+//!     kind = "solve"
+//!     problem = "poisson"
+//!     source = 1.0
+//!     fixed = [{ surface = "x0", value = 0.0 }, { surface = "x1", value = 0.0 }]
+//!     prolongation = ["linear"]
+//!     [expect]
+//!     "solve.linear.maximum" = { min = 0.12, max = 0.13 }
+//! "#;
+//! let path = folder.path().join("walls.toml");
+//! let recipe = octruss::Recipe::parse(&path, config.into(), &[])?;
+//! let silent = |_: &StagePlace, _: &Event| {};
+//! let out = folder.path().join("out");
+//! let report = octruss::run(&recipe, &out, &silent, &AtomicBool::new(false))?;
+//! assert!(report.expectations.iter().all(|expected| expected.met));
+//! assert!(out.join("report.json").exists());
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+//!
 //! # Configs
 //!
 //! A config is a TOML file: a `name`, a list of `[[stage]]` tables that run in

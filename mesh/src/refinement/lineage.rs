@@ -112,9 +112,9 @@ impl Lineage {
         }
         match &self.0 {
             Parts::Uniform { parts, .. } => {
-                let families = fine.par_chunks_mut(parts * components).with_min_len(CHUNK);
-                let families = families.zip(values.par_chunks(components));
-                families.for_each(|(family, tuple)| repeat(tuple, family));
+                let some = values.par_chunks(CHUNK * components);
+                let theirs = fine.par_chunks_mut(CHUNK * components * parts);
+                some.zip(theirs).for_each(|(values, fine)| repeat(values, components, fine));
             }
             Parts::Listed(parents) => {
                 let tuples = fine.par_chunks_mut(components).with_min_len(CHUNK);
@@ -126,13 +126,16 @@ impl Lineage {
     }
 }
 
-/// Fills a family with one tuple after the other.
-#[inline]
-fn repeat<T: Copy>(tuple: &[T], family: &mut [T]) {
-    match tuple {
+/// Repeats each tuple, equally often, until `fine` is full.
+fn repeat<T: Copy>(values: &[T], components: usize, fine: &mut [T]) {
+    let families = fine.chunks_exact_mut(fine.len() / values.len() * components);
+    if components == 1 {
         // By far the most frequent, and several times as fast.
-        [value] => family.fill(*value),
-        _ => family.chunks_exact_mut(tuple.len()).for_each(|own| own.copy_from_slice(tuple)),
+        families.zip(values).for_each(|(family, value)| family.fill(*value));
+        return;
+    }
+    for (family, tuple) in families.zip(values.chunks_exact(components)) {
+        family.chunks_exact_mut(components).for_each(|own| own.copy_from_slice(tuple));
     }
 }
 
@@ -142,7 +145,8 @@ mod tests {
 
     #[test]
     fn a_uniform_lineage_is_that_which_lists_its_parents() {
-        for (parents, parts) in [(0, 3), (1, 1), (5, 1), (4, 2), (3, 8)] {
+        // The last takes several chunks.
+        for (parents, parts) in [(0, 3), (1, 1), (5, 1), (4, 2), (3, 8), (2500, 3)] {
             let list = (0..parents * parts).map(|child| (child / parts) as u32).collect();
             let (uniform, listed) = (Lineage::uniform(parents, parts), Lineage::listed(list));
             for lineage in [&uniform, &listed] {

@@ -4,11 +4,11 @@ use std::path::Path;
 use std::sync::atomic::AtomicBool;
 use std::time::Instant;
 
-use crate::error::{Error, Source};
+use crate::error::Error;
 use crate::observer::{Event, Observer, StagePlace};
 use crate::recipe::{Recipe, compare, stage_labels};
 use crate::report::{Report, SCHEMA, StageReport};
-use crate::stages::{Context, Stage};
+use crate::stages::{Context, Stage, Workplace};
 use crate::state::State;
 use crate::{memory, output};
 
@@ -33,11 +33,10 @@ pub fn run(
     output::check_folder(output_folder)?;
     output::remove_earlier(output_folder)?;
     let start = Instant::now();
-    let folders = [&recipe.folder, output_folder];
+    let (input_folder, source) = (&*recipe.folder, Some(&recipe.source));
+    let work = Workplace { input_folder, output_folder, source, observer, stop };
     let mut stages = Vec::new();
-    let source = Some(&recipe.source);
-    let unfinished = match run_into(&mut stages, &recipe.stages, source, folders, (observer, stop))
-    {
+    let unfinished = match run_into(&mut stages, &recipe.stages, work) {
         Ok(_) => None,
         Err(Error::Unfinished(solve)) => Some(solve),
         Err(error) => return Err(error),
@@ -64,33 +63,25 @@ pub fn run(
     Ok(report)
 }
 
-/// Runs stages in order; returns what they made. `source` is the config that they
-/// come from, if any; the folders are those of input and output.
+/// Runs stages in order; returns what they made.
 ///
 /// # Errors
 /// Whatever stops a stage.
-pub fn run_stages(
-    stages: &[Stage],
-    source: Option<&Source>,
-    folders: [&Path; 2],
-    observer: &dyn Observer,
-) -> Result<State, Error> {
-    run_into(&mut Vec::new(), stages, source, folders, (observer, &AtomicBool::new(false)))
+pub fn run_stages(stages: &[Stage], work: Workplace) -> Result<State, Error> {
+    run_into(&mut Vec::new(), stages, work)
 }
 
 /// As [`run_stages`], until asked to stop; adds to `reports` what each stage did,
 /// also where a later one fails.
-pub(crate) fn run_into(
+fn run_into(
     reports: &mut Vec<StageReport>,
     stages: &[Stage],
-    source: Option<&Source>,
-    [input_folder, output_folder]: [&Path; 2],
-    (observer, stop): (&dyn Observer, &AtomicBool),
+    work: Workplace,
 ) -> Result<State, Error> {
     let mut state = State::default();
     for (index, (stage, label)) in stages.iter().zip(stage_labels(stages)).enumerate() {
-        let place = StagePlace { number: index + 1, of: stages.len(), label: label.clone() };
-        let context = Context { input_folder, output_folder, source, stage: place, observer, stop };
+        let stage_place = StagePlace { number: index + 1, of: stages.len(), label: label.clone() };
+        let context = Context { work, stage: stage_place };
         if context.asked_to_stop() {
             return Err(Error::Stopped { stage: label });
         }

@@ -19,6 +19,7 @@ use crate::soundness::quality::smallest_mean_ratio;
 use crate::subdivide::red_split::parents::Parents;
 use crate::subdivide::red_split::parts::{PARTS, child_of, families, parent_of};
 use octruss_base::ragged::CHUNK;
+use octruss_base::vector3::{add, dot3, subtract};
 
 /// The shares of the linear rule that are tried are multiples of 1 / STEPS.
 const STEPS: u8 = 32;
@@ -53,9 +54,10 @@ impl Lattice {
     #[inline]
     fn new(corners: [[f64; 3]; 4]) -> Self {
         let [x0, x1, x2, x3] = corners;
-        let (e1, e2, e3) = (difference(x1, x0), difference(x2, x1), difference(x3, x2));
-        let (s12, s23, s31) = (square(sum(e1, e2)), square(sum(e2, e3)), square(sum(e3, e1)));
-        let ends = square(e1) + square(e2) + square(e3) + square(sum(sum(e1, e2), e3));
+        let (e1, e2, e3) = (subtract(x1, x0), subtract(x2, x1), subtract(x3, x2));
+        let square = |p| dot3(p, p);
+        let (s12, s23, s31) = (square(add(e1, e2)), square(add(e2, e3)), square(add(e3, e1)));
+        let ends = square(e1) + square(e2) + square(e3) + square(add(add(e1, e2), e3));
         let squares = ends + s12 + s23 + s31 - s12.min(s23).min(s31);
         Self { volume: six_volumes(corners), squares }
     }
@@ -72,18 +74,6 @@ impl Lattice {
         let allowed = floor * self.squares / 12.0;
         self.volume > 0.0 && 0.25 * self.volume * self.volume >= allowed * allowed * allowed
     }
-}
-
-fn difference(p: [f64; 3], q: [f64; 3]) -> [f64; 3] {
-    [p[0] - q[0], p[1] - q[1], p[2] - q[2]]
-}
-
-fn sum(p: [f64; 3], q: [f64; 3]) -> [f64; 3] {
-    [p[0] + q[0], p[1] + q[1], p[2] + q[2]]
-}
-
-fn square(p: [f64; 3]) -> f64 {
-    p[0] * p[0] + p[1] * p[1] + p[2] * p[2]
 }
 
 /// Puts tets that are to be split along these pairs back to their marked one

@@ -17,9 +17,9 @@ use crate::error::{ConfigError, ConfigPlace, Error};
 use crate::observer::{Event, Observer, StagePlace};
 use crate::options::{Choice, Compare, Geometry, Named};
 use crate::recipe::Recipe;
-use crate::run::run_into;
+use crate::run::run_stages;
 use crate::stages::solve::{biharmonic, elasticity, poisson};
-use crate::stages::{Context, ProblemKeys, Solve, Stage, Subdivide};
+use crate::stages::{Context, ProblemKeys, Solve, Stage, Subdivide, Workplace};
 
 /// Compares what a config's table `[compare]` lists, on the problem of its first stage
 /// `solve` and the levels of its first stage `subdivide`; stages between and after
@@ -123,6 +123,16 @@ impl<'a> Study<'a> {
         })
     }
 
+    fn workplace(&self) -> Workplace<'_> {
+        Workplace {
+            input_folder: &self.recipe.folder,
+            output_folder: Path::new(""),
+            source: Some(&self.recipe.source),
+            observer: self.observer,
+            stop: self.stop,
+        }
+    }
+
     /// The levels up to the finest that is asked for.
     fn hierarchy(&self, geometry: Geometry) -> Result<Hierarchy, Error> {
         let scheme = match geometry {
@@ -133,10 +143,7 @@ impl<'a> Study<'a> {
         let refined = Subdivide { scheme, levels, ..self.subdivide.clone() };
         let mut stages = self.before.clone();
         stages.push(Stage::Subdivide(refined));
-        let folders = [&*self.recipe.folder, Path::new("")];
-        let source = Some(&self.recipe.source);
-        let who = (self.observer, self.stop);
-        let state = run_into(&mut Vec::new(), &stages, source, folders, who)?;
+        let state = run_stages(&stages, self.workplace())?;
         Ok(state.mesh.into_levels().expect("a stage `subdivide` makes levels"))
     }
 
@@ -147,14 +154,8 @@ impl<'a> Study<'a> {
         geometry: Geometry,
     ) -> Result<(Vec<Row>, Vec<CarriedSolution>), Error> {
         let label = format!("{} level {}", geometry.name(), hierarchy.transfers());
-        let context = Context {
-            input_folder: &self.recipe.folder,
-            output_folder: Path::new(""),
-            source: Some(&self.recipe.source),
-            stage: StagePlace { number: 1, of: 1, label },
-            observer: self.observer,
-            stop: self.stop,
-        };
+        let context =
+            Context { work: self.workplace(), stage: StagePlace { number: 1, of: 1, label } };
         let mesh = hierarchy.finest().mesh.raw();
         let levels = (hierarchy, geometry);
         match &self.solve.problem {

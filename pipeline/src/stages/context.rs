@@ -11,31 +11,38 @@ use crate::error::{Error, Source};
 use crate::observer::{Event, Observer, StagePlace};
 use crate::state::Missing;
 
-/// Where a stage works.
-pub struct Context<'a> {
+/// Where the stages of a run work, all of them alike.
+#[derive(Clone, Copy)]
+pub struct Workplace<'a> {
     /// What input paths are relative to.
     pub input_folder: &'a Path,
     /// Where output goes.
     pub output_folder: &'a Path,
     /// The config, for places in messages; none if the stages come from elsewhere.
     pub source: Option<&'a Source>,
-    /// The stage.
-    pub stage: StagePlace,
     /// Whom to tell how far it is.
     pub observer: &'a dyn Observer,
     /// Whether to end as soon as possible.
     pub stop: &'a AtomicBool,
 }
 
+/// Where a stage works.
+pub struct Context<'a> {
+    /// As all stages of its run.
+    pub work: Workplace<'a>,
+    /// The stage.
+    pub stage: StagePlace,
+}
+
 impl Context<'_> {
     /// Whether to end as soon as possible.
     pub fn asked_to_stop(&self) -> bool {
-        self.stop.load(Ordering::Relaxed)
+        self.work.stop.load(Ordering::Relaxed)
     }
 
     /// Tells the observer.
     pub fn tell(&self, event: Event) {
-        self.observer.hear(&self.stage, &event);
+        self.work.observer.hear(&self.stage, &event);
     }
 
     /// Does one step, whose work returns its result and that result in words,
@@ -76,7 +83,7 @@ impl Context<'_> {
     /// An error about a name that the config gives and the mesh does not have.
     pub(super) fn name_error(&self, name: &Spanned<String>, message: &str) -> Error {
         let message = format!("stage `{}`: {message}", self.stage.label);
-        match self.source {
+        match self.work.source {
             Some(source) => Error::Name(source.error(&name.span(), message)),
             None => self.request(message),
         }

@@ -19,7 +19,7 @@ pub struct Import {
 
 impl Import {
     pub(super) fn run(&self, state: &mut State, context: &Context) -> Result<ImportReport, Error> {
-        let path = context.input_folder.join(&self.path);
+        let path = context.work.input_folder.join(&self.path);
         let dataset = octruss_meshio::read(&path)?;
         context.remark(&dataset.notes);
         let report = ImportReport {

@@ -17,7 +17,7 @@ mod subdivide;
 mod write;
 
 pub use check::Check;
-pub use context::Context;
+pub use context::{Context, Workplace};
 pub use import::Import;
 pub use solve::biharmonic::BiharmonicKeys;
 pub use solve::elasticity::ElasticityKeys;

@@ -45,7 +45,7 @@ impl Write {
         let finest = context.needed(state.mesh.finest())?;
         let all = state.mesh.levels().map_or(&[][..], Hierarchy::levels);
         let levels = if self.levels { all.len() } else { 0 };
-        let folder = context.output_folder;
+        let folder = context.work.output_folder;
         create_folder(folder)?;
         let derived = derived_fields(state, finest, all);
         let notes = derived.replaced(&state.point_fields, &state.cell_fields);

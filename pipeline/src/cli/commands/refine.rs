@@ -1,12 +1,13 @@
 //! `octruss refine`: a mesh file into a finer one.
 
 use std::path::{Path, PathBuf};
+use std::sync::atomic::AtomicBool;
 
 use octruss::Error;
 use octruss::options::{Degrees, MinQuality, Named, SchemeName};
 use octruss::output::write_with_surfaces;
 use octruss::run::run_stages;
-use octruss::stages::{Check, Import, Stage, Subdivide};
+use octruss::stages::{Check, Import, Stage, Subdivide, Workplace};
 use octruss_mesh::{Diagonal, Marking};
 use octruss_meshio::{Dataset, check_target};
 
@@ -88,9 +89,15 @@ impl Refine {
                 ..defaults
             }),
         ];
-        let here = Path::new("");
-        let display = Display::new(self.quiet);
-        let state = run_stages(&stages, None, [here, here], &display)?;
+        let (here, display) = (Path::new(""), Display::new(self.quiet));
+        let work = Workplace {
+            input_folder: here,
+            output_folder: here,
+            source: None,
+            observer: &display,
+            stop: &AtomicBool::new(false),
+        };
+        let state = run_stages(&stages, work)?;
         for field in &state.sided_fields.fields {
             let name = &field.name;
             say(&format!(

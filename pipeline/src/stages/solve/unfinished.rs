@@ -19,10 +19,10 @@ pub(super) fn keep(
     what: &str,
     context: &Context,
 ) -> Error {
-    let file = context.output_folder.join(UNFINISHED);
+    let file = context.work.output_folder.join(UNFINISHED);
     let iterate =
         Dataset { mesh: finest.raw().clone(), point_fields: vec![field], ..Dataset::default() };
-    let written = create_folder(context.output_folder)
+    let written = create_folder(context.work.output_folder)
         .and_then(|()| vtu::write(&file, &iterate).map_err(Error::from));
     if let Err(error) = written {
         return error;

@@ -6,6 +6,7 @@ use std::path::Path;
 use std::sync::atomic::AtomicBool;
 
 use common::repository;
+use octruss::comparison::{self, Comparison};
 use octruss::observer::{Event, StagePlace};
 use octruss::report::{Done, SCHEMA};
 use octruss::{Recipe, Report};
@@ -36,6 +37,20 @@ fn a_report_reads_back_as_it_was() {
         let names: Vec<_> = written.stages.iter().map(|stage| stage.name.as_str()).collect();
         assert_eq!(kinds, names, "each kind is there once");
     }
+}
+
+#[test]
+fn a_comparison_reads_back_as_it_was() {
+    let set = ["stage.subdivide.levels=1", "compare.repeats=1"].map(String::from);
+    let config = repository("configs/prolongation-study-cube.toml");
+    let recipe = Recipe::load(&config, &set).unwrap();
+    let nobody = |_: &StagePlace, _: &Event| {};
+    let written = comparison::compare(&recipe, &nobody, &AtomicBool::new(false)).unwrap();
+    assert!(!written.rows.is_empty() && !written.carried.is_empty());
+    let folder = tempfile::tempdir().unwrap();
+    written.write(folder.path()).unwrap();
+    let text = std::fs::read_to_string(folder.path().join("compare.json")).unwrap();
+    assert_eq!(serde_json::from_str::<Comparison>(&text).unwrap(), written);
 }
 
 /// JSON has no word for what is no finite number.

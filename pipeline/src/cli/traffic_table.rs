@@ -4,7 +4,7 @@ use octruss::Report;
 use octruss::report::{Done, KernelFigures, TrafficFigures};
 use octruss::table::table;
 
-/// One table a solve with an traffic.
+/// A table for each solve whose traffic was measured.
 pub fn of_solves(report: &Report) -> String {
     let mut text = String::new();
     for stage in &report.stages {

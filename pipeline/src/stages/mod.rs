@@ -3,7 +3,6 @@
 
 mod check;
 mod context;
-
 mod corner_fields;
 mod field_notes;
 mod groups;

@@ -201,7 +201,7 @@ fn soft_base(contrast: f64) -> (VectorSystem, Vec<Csr<f64>>) {
         assemble_elasticity(&hierarchy.finest().mesh, &hierarchy.levels()[3].topology, &problem)
             .unwrap();
     let dofs = |level: usize| Dofs::new(&hierarchy.levels()[level].mesh, &[]).unwrap();
-    let prolongations = [2, 1, 0].map(|level| {
+    let prolongations = [0, 1, 2].map(|level| {
         let matrix = linear_matrix(&hierarchy.levels()[level].topology);
         restrict_to_free(&matrix, &dofs(level + 1), &dofs(level)).unwrap()
     });

@@ -23,7 +23,7 @@ impl Scalar {
     /// A function of the position.
     ///
     /// ```
-    /// let height = octruss_solver::Scalar::function(|[_, _, z]| 2.0 * z);
+    /// let height = octruss_fem::Scalar::function(|[_, _, z]| 2.0 * z);
     /// assert_eq!(height.at([0.0, 0.0, 1.5]), 3.0);
     /// ```
     pub fn function(f: impl Fn([f64; 3]) -> f64 + Send + Sync + 'static) -> Self {

@@ -1,30 +1,31 @@
 //! Finite elements on hierarchies of tetrahedral meshes.
 //!
 //! ```text
-//! TetMesh, Poisson ──assemble──▶ System            (Elasticity ──assemble_elasticity──▶ VectorSystem)
-//! SubdivisionMatrix ──restrict_to_free──▶ prolongation of octruss_solver::Multigrid
+//! Hierarchy, Problem ──▶ Discretisation ──▶ Solver ──▶ Solution ──▶ strains, forces, errors
 //! ```
 //!
-//! ```
-//! use octruss_fem::{Poisson, assemble};
-//! use octruss_mesh::{Topology, shapes::kuhn_cube};
-//! use octruss_solver::{Multigrid, MultigridOptions, SolveOptions, conjugate_gradients};
+//! A [`Problem`] is [`Poisson`], [`Biharmonic`] or [`Elasticity`]; [`Discretisation`] assembles
+//! it on the finest level and solves it by multigrid over all levels. Whoever wants the parts
+//! finds them, too: [`assemble`], [`restrict_to_free`], and the multigrid of `octruss-solver`.
 //!
-//! let mesh = kuhn_cube(8);
+//! ```
+//! use octruss_fem::{Discretisation, Options, Poisson};
+//! use octruss_mesh::{FeatureOptions, Hierarchy, Scheme, shapes::kuhn_cube};
+//!
+//! let mut hierarchy = Hierarchy::new(kuhn_cube(4), &FeatureOptions::default());
+//! hierarchy.subdivide(Scheme::Linear)?;
 //! let problem = Poisson {
 //!     source: 1.0.into(),
 //!     fixed: (1..=6).map(|side| (side, 0.0.into())).collect(),
 //!     ..Poisson::default()
 //! };
-//! let system = assemble(&mesh, &Topology::new(mesh.raw()), &problem)?;
-//! let mut multigrid = Multigrid::new(&system.matrix, vec![], &MultigridOptions::default())?;
-//! let (x, report) =
-//!     conjugate_gradients(&system.matrix, &system.rhs, &mut multigrid, &SolveOptions::default())?;
-//! assert!(report.relative_residual <= 1e-8);
+//! let options = Options::default();
+//! let solution = Discretisation::new(&hierarchy, &problem, &options)?.solve(&options)?;
+//! assert!(solution.report.relative_residual <= 1e-8);
 //! // The middle of a unit cube with unit source is at 0.0562; this mesh is coarse.
-//! let middle = system.expand(&x)?.into_iter().fold(0.0, f64::max);
+//! let middle = solution.values.into_iter().fold(0.0, f64::max);
 //! assert!((middle - 0.0562).abs() < 0.003);
-//! # Ok::<(), octruss_fem::Error>(())
+//! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
 mod assemble;
@@ -57,7 +58,7 @@ pub use error::Error;
 pub use lift::smooth_lift;
 pub use options::choices::{CoarseOperator, Cycle, FullTransfer, Method};
 pub use options::prolongations::{ProlongationKind, Prolongations};
-pub use options::solving::Options;
+pub use options::solving::{Contradiction, Options};
 pub use options::sweeps::Sweeps;
 pub use problem::biharmonic::Biharmonic;
 pub use problem::by_region::ByRegion;

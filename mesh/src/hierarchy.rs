@@ -13,6 +13,7 @@ use crate::subdivide::error::SubdivideError;
 use crate::subdivide::refine::subdivide;
 use crate::subdivide::step::Step;
 use octruss_base::ragged::CHUNK;
+use octruss_base::vector3::{length, subtract};
 
 /// A mesh of a hierarchy, and how it came from the next coarser one.
 #[derive(Debug, Clone)]
@@ -133,13 +134,13 @@ impl Hierarchy {
 
 /// The mean length of a mesh's edges, in mesh units.
 pub fn mean_edge_length(mesh: &TetMesh, topology: &Topology) -> f64 {
-    let length = |&[a, b]: &[u32; 2]| {
+    let edge_length = |&[a, b]: &[u32; 2]| {
         let [p, q] = [a, b].map(|v| mesh.points()[v as usize]);
-        (0..3).map(|k| (p[k] - q[k]).powi(2)).sum::<f64>().sqrt()
+        length(subtract(p, q))
     };
     // By chunks, so that the sum does not depend on the number of threads.
     let edges = topology.edges();
     let sums: Vec<f64> =
-        edges.par_chunks(CHUNK).map(|chunk| chunk.iter().map(length).sum()).collect();
+        edges.par_chunks(CHUNK).map(|chunk| chunk.iter().map(edge_length).sum()).collect();
     sums.iter().sum::<f64>() / edges.len() as f64
 }

@@ -58,11 +58,6 @@ impl Scheme {
         }
     }
 
-    /// The scheme of a name, with its usual parameters.
-    pub fn from_name(name: &str) -> Option<Self> {
-        Self::ALL.into_iter().find(|scheme| scheme.name() == name)
-    }
-
     /// Every scheme, with its usual parameters.
     pub const ALL: [Self; 6] = [
         Self::Linear,

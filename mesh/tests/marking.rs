@@ -4,6 +4,7 @@ mod common;
 
 use std::array::from_fn;
 
+use octruss_base::choice::Named;
 use octruss_mesh::analysis::stars::{Marks, edge_ring};
 use octruss_mesh::marking::mark;
 use octruss_mesh::reference_tet::{EDGES, MARKED, MARKING_PERMUTATIONS, six_volumes};
@@ -226,12 +227,12 @@ fn an_agreeing_face_has_edges_of_four_and_six_tets_and_a_conflict_stays() {
 #[test]
 fn names_lead_back_to_their_choices() {
     for marking in Marking::ALL {
-        assert_eq!(Marking::from_name(marking.name()), Some(marking));
+        assert_eq!(marking.name().parse(), Ok(Named(marking)));
     }
     for diagonal in Diagonal::ALL {
-        assert_eq!(Diagonal::from_name(diagonal.name()), Some(diagonal));
+        assert_eq!(diagonal.name().parse(), Ok(Named(diagonal)));
     }
-    assert_eq!(Marking::from_name("longest"), None);
+    assert!("longest".parse::<Named<Marking>>().is_err());
     let names: [&str; 4] = from_fn(|i| Marking::ALL[i].name());
     assert_eq!(names, ["shortest", "agree", "breadth-first", "as-ordered"]);
     assert_eq!(Step::from(Scheme::Linear).diagonal, Diagonal::default());

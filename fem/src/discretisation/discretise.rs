@@ -76,6 +76,7 @@ impl<'h, E: Unknown> Discretisation<'h, E> {
         }
         let Assembled { matrix, rhs, constraints } = problem.assemble(finest)?;
         levels.push(E::level(&constraints));
+        // Assembled anew even where its matrix is at hand: only here is its load wanted.
         let lifts =
             options.cycle() == Cycle::Full && !levels.iter().all(LevelUnknowns::is_homogeneous);
         let coarsest = lifts
@@ -121,6 +122,8 @@ impl<'h, E: Unknown> Discretisation<'h, E> {
     }
 }
 
+/// The solution on one level. A multigrid without transfers is the direct solver; conjugate
+/// gradients round it look at the residual, and mend what is lost to rounding.
 fn solve_directly<E: Unknown>(
     system: Assembled<E>,
     options: &Options,

@@ -1,12 +1,13 @@
 //! What solves a discretised problem, set up once and used as often as wanted.
 
+use crate::boundary::level_unknowns::LevelUnknowns;
 use crate::discretisation::discretise::Discretisation;
 use crate::discretisation::full_multigrid::full_pass;
 use crate::discretisation::solution::Solution;
 use crate::discretisation::transfers::{TransferSummary, prolongations, summaries, transfers};
 use crate::discretisation::unknown::Unknown;
 use crate::error::Error;
-use crate::options::choices::{FullTransfer, Method};
+use crate::options::choices::{Cycle, FullTransfer, Method};
 use crate::options::solving::Options;
 use octruss_solver::{
     EachIteration, Multigrid, Nodal, SolveOptions, conjugate_gradients, stationary_iteration,
@@ -25,27 +26,7 @@ pub struct Solver<'d, E: Unknown = f64> {
     pub setup_seconds: f64,
 }
 
-impl<'d, E: Unknown> Solver<'d, E> {
-    /// Sets the multigrid up.
-    ///
-    /// # Errors
-    /// As [`Multigrid::with_transfers`].
-    pub(crate) fn new(
-        discretisation: &'d Discretisation<'d, E>,
-        options: &Options,
-    ) -> Result<Self, Error> {
-        let start = Instant::now();
-        let made = prolongations(discretisation.hierarchy, options);
-        let transfers = transfers(discretisation, &made, options)?;
-        let projectors = discretisation.levels.iter().map(|level| level.projectors.clone());
-        let (matrix, projectors) = (&discretisation.matrix, projectors.collect());
-        let multigrid =
-            Multigrid::with_transfers(matrix, transfers, projectors, &options.multigrid())?;
-        let setup_seconds = start.elapsed().as_secs_f64();
-        let transfers = summaries(discretisation.hierarchy, &made);
-        Ok(Self { discretisation, options: *options, multigrid, transfers, setup_seconds })
-    }
-
+impl<E: Unknown> Solver<'_, E> {
     /// How full multigrid transfers, if it is asked for.
     pub fn full_transfer(&self) -> Option<FullTransfer> {
         self.options.full_transfer(self.discretisation.hierarchy)
@@ -76,6 +57,7 @@ impl<'d, E: Unknown> Solver<'d, E> {
             }
             Method::Cycle => stationary_iteration(matrix, rhs, &mut self.multigrid, &stop)?,
         };
+        report.setup_seconds = self.setup_seconds;
         report.solve_seconds += pass_seconds;
         Ok(Solution {
             values: self.discretisation.expand(&unknowns)?,
@@ -87,12 +69,39 @@ impl<'d, E: Unknown> Solver<'d, E> {
 }
 
 impl<E: Unknown> Discretisation<'_, E> {
-    /// Sets up what solves it: transfers, coarse matrices, smoothers.
+    /// Sets up what solves it: transfers, coarse matrices, smoothers. The options may be
+    /// others than those it was made with, as long as these provided for what they need.
     ///
     /// # Errors
-    /// As [`Multigrid::with_transfers`].
+    /// As [`Multigrid::with_transfers`]; [`octruss_solver::Error::Option`] for re-assembled
+    /// matrices or full multigrid that it was not made for.
     pub fn solver(&self, options: &Options) -> Result<Solver<'_, E>, Error> {
-        Solver::new(self, options)
+        self.check_provided(options)?;
+        let start = Instant::now();
+        let made = prolongations(self.hierarchy, options);
+        let transfers = transfers(self, &made, options)?;
+        let projectors = self.levels.iter().map(|level| level.projectors.clone()).collect();
+        let cycle = options.multigrid();
+        let multigrid = Multigrid::with_transfers(&self.matrix, transfers, projectors, &cycle)?;
+        let setup_seconds = start.elapsed().as_secs_f64();
+        let transfers = summaries(self.hierarchy, &made);
+        Ok(Solver { discretisation: self, options: *options, multigrid, transfers, setup_seconds })
+    }
+
+    /// What was not assembled for the options cannot be made up for.
+    fn check_provided(&self, options: &Options) -> Result<(), Error> {
+        let refuse = |option| {
+            let expected = "what the discretisation was made with: give it the same options";
+            Err(octruss_solver::Error::Option { option, expected }.into())
+        };
+        if options.reassembles() && self.coarse_matrices.len() < self.hierarchy.transfers() {
+            return refuse("coarse_operator");
+        }
+        let is_homogeneous = self.levels.iter().all(LevelUnknowns::is_homogeneous);
+        if options.cycle() == Cycle::Full && !is_homogeneous && self.coarsest.is_none() {
+            return refuse("cycle");
+        }
+        Ok(())
     }
 
     /// Solves it.

@@ -3,7 +3,7 @@
 use crate::options::choices::{CoarseOperator, Cycle, FullTransfer, Method};
 use crate::options::prolongations::{ProlongationKind, Prolongations};
 use crate::options::sweeps::Sweeps;
-use octruss_base::choice::{auto, named};
+use octruss_base::choice::{Choice, auto, named};
 use octruss_mesh::{AffineCorrection, InterfaceRows, ProlongationOptions, Refinement, Scheme};
 use octruss_solver::{CycleShape, MultigridOptions, Precision, Smoother};
 use serde::{Deserialize, Deserializer, de::Error};
@@ -78,8 +78,14 @@ impl Default for Options {
     }
 }
 
-/// Which keys do not go together: the one that belongs to another choice, and why.
-pub type Contradiction = (&'static str, String);
+/// Options that do not go together.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Contradiction {
+    /// The one that belongs to another choice, as configs call it.
+    pub key: &'static str,
+    /// Why it does not go with the choice made.
+    pub message: String,
+}
 
 impl Options {
     /// The method, chosen or usual.
@@ -131,7 +137,6 @@ impl Options {
 
     /// What does not go together, if anything.
     pub fn contradiction(&self) -> Option<Contradiction> {
-        use octruss_base::choice::Choice;
         let polynomial = Smoother::CHEBYSHEV.name();
         match (self.smoother.map(Choice::name), self.smoothing_degree) {
             (Some(smoother), Some(_)) if smoother != polynomial => {
@@ -139,7 +144,7 @@ impl Options {
                     "`smoothing-degree` belongs to smoother = \"{polynomial}\", but this stage \
                      smooths by \"{smoother}\""
                 );
-                return Some(("smoothing-degree", message));
+                return Some(Contradiction { key: "smoothing-degree", message });
             }
             _ => {}
         }
@@ -150,7 +155,7 @@ impl Options {
                 "`full-transfer` belongs to cycle = \"{full}\", but the cycle of this stage is \
                  \"{cycle}\""
             );
-            ("full-transfer", message)
+            Contradiction { key: "full-transfer", message }
         })
     }
 }

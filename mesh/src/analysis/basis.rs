@@ -4,6 +4,7 @@ use super::error::AnalysisError;
 use super::tet_grid::TetGrid;
 use crate::core::tet_mesh::TetMesh;
 use crate::hierarchy::Hierarchy;
+use octruss_base::vector3::{length, subtract};
 
 /// Points this far outside a tet, in barycentric coordinates, still count as in it.
 const ROUNDING: f64 = 1e-9;
@@ -53,12 +54,11 @@ pub fn sample_line(
     samples: u32,
 ) -> Vec<LineSample> {
     let grid = TetGrid::new(mesh.points(), mesh.tets());
-    let length = direction.iter().map(|d| d * d).sum::<f64>().sqrt();
-    let unit = direction.map(|d| if length > 0.0 { d / length } else { 0.0 });
-    let distance_to =
-        |p: &[f64; 3]| (0..3).map(|k| (p[k] - through[k]).powi(2)).sum::<f64>().sqrt();
+    let size = length(direction);
+    let unit = direction.map(|d| if size > 0.0 { d / size } else { 0.0 });
+    let distance_to = |p: &[f64; 3]| length(subtract(*p, through));
     let reach = mesh.points().iter().map(distance_to).fold(0.0, f64::max);
-    let samples = i64::from(if length > 0.0 { samples } else { 0 });
+    let samples = i64::from(if size > 0.0 { samples } else { 0 });
     let sample = |i: i64| {
         let distance = reach * i as f64 / samples.max(1) as f64;
         let point = [0, 1, 2].map(|k| through[k] + distance * unit[k]);

@@ -40,9 +40,4 @@ impl Marking {
             Self::AsOrdered => "as-ordered",
         }
     }
-
-    /// The strategy of a name.
-    pub fn from_name(name: &str) -> Option<Self> {
-        Self::ALL.into_iter().find(|marking| marking.name() == name)
-    }
 }

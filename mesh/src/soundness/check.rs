@@ -9,6 +9,7 @@ use crate::core::tet_mesh::TetMesh;
 use crate::core::topology::{Topology, ascending};
 use crate::soundness::finding::{Finding, FindingKind};
 use octruss_base::ragged::CHUNK;
+use octruss_base::vector3::{length, subtract};
 
 /// How many places a finding names.
 const EXAMPLES: usize = 5;
@@ -160,10 +161,8 @@ fn duplicate_vertices(raw: &RawMesh) -> Vec<u32> {
 fn flat_and_inverted(raw: &RawMesh) -> (Vec<u32>, Vec<u32>) {
     let sign = |tet: &[u32; 4]| {
         let corners = tet.map(|v| raw.points[v as usize]);
-        let length = |[a, b]: [usize; 2]| {
-            (0..3).map(|k| (corners[a][k] - corners[b][k]).powi(2)).sum::<f64>().sqrt()
-        };
-        let longest = EDGES.map(length).into_iter().fold(0.0, f64::max);
+        let edge_length = |[a, b]: [usize; 2]| length(subtract(corners[a], corners[b]));
+        let longest = EDGES.map(edge_length).into_iter().fold(0.0, f64::max);
         let volume = six_volumes(corners);
         if volume.abs() <= FLAT * longest.powi(3) { 0 } else { volume.signum() as i8 }
     };

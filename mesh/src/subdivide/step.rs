@@ -55,11 +55,6 @@ impl Diagonal {
             Self::ShortestEachLevel => "shortest-each-level",
         }
     }
-
-    /// The choice of a name.
-    pub fn from_name(name: &str) -> Option<Self> {
-        Self::ALL.into_iter().find(|diagonal| diagonal.name() == name)
-    }
 }
 
 impl From<Scheme> for Step {

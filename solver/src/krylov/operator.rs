@@ -5,13 +5,16 @@ use crate::sparse::csr::Csr;
 use crate::sparse::dot::chunk_dot;
 use crate::sparse::entry::{Entry, Nodal};
 use crate::sparse::kernels::{self, ChebyshevStep};
-use octruss_base::chunks::map_ranges;
+use octruss_base::chunks::{for_chunks, map_ranges};
+use octruss_base::large_array::zeroed;
 
 /// A square linear operator on vectors with a number, or three, for each row.
 ///
 /// Required is what any operator can do; the rest is provided from it, and a [`Csr`]
-/// does it in one pass over its entries instead. So a level whose matrix is never
-/// stored only has to apply it and tell its diagonal.
+/// does it in one pass over its entries instead. Iterations and the Chebyshev smoother
+/// ask for no more, so nothing but this trait stands between them and an operator whose
+/// entries are never stored. (The levels of a [`Multigrid`](crate::Multigrid) have
+/// matrices: Galerkin products are made of entries.)
 ///
 /// ```
 /// use octruss_solver::{Identity, Operator, SolveOptions, conjugate_gradients};
@@ -100,11 +103,13 @@ impl<E: Entry> Operator<E> for Csr<E> {
     }
 
     fn diagonal(&self) -> Vec<E> {
-        let on_diagonal = |row: usize| {
-            let (columns, values) = self.row(row);
-            columns.binary_search(&(row as u32)).map_or(E::default(), |at| values[at])
-        };
-        (0..self.rows()).map(on_diagonal).collect()
+        let mut diagonal: Vec<E> = zeroed(self.rows());
+        for_chunks(&mut diagonal, |first, chunk| {
+            for (row, entry) in (first..).zip(chunk) {
+                *entry = self.get(row, row).unwrap_or_default();
+            }
+        });
+        diagonal
     }
 
     fn residual(&self, x: &[E::Nodal], b: &[E::Nodal], r: &mut [E::Nodal]) {
@@ -131,5 +136,70 @@ impl<E: Entry> Operator<E> for Csr<E> {
     fn check(&self) -> Result<(), Error> {
         check_size("columns of the matrix", self.columns(), self.rows())?;
         check_finite("matrix", E::flat(self.values()))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::sparse::noise::noise;
+    use crate::toy::second_difference;
+
+    /// A matrix of which only what is required is known.
+    struct Hidden(Csr<f64>);
+
+    impl Operator for Hidden {
+        fn rows(&self) -> usize {
+            self.0.rows()
+        }
+        fn apply(&self, x: &[f64], y: &mut [f64]) {
+            Operator::apply(&self.0, x, y);
+        }
+        fn diagonal(&self) -> Vec<f64> {
+            Operator::diagonal(&self.0)
+        }
+    }
+
+    #[test]
+    fn what_is_provided_is_what_a_matrix_does_in_one_pass() {
+        let n = 4000;
+        let known = second_difference(n);
+        let hidden = Hidden(known.clone());
+        let [x, b, direction] = [1, 2, 3].map(|seed| noise(n, seed));
+        let near = |a: &[f64], b: &[f64]| a.iter().zip(b).all(|(a, b)| (a - b).abs() < 1e-13);
+        let residual = |operator: &dyn Operator| {
+            let mut r = vec![0.0; n];
+            operator.residual(&x, &b, &mut r);
+            r
+        };
+        assert!(near(&residual(&known), &residual(&hidden)));
+        let product_dot = |operator: &dyn Operator| {
+            let mut y = vec![0.0; n];
+            let dot = operator.product_dot(&x, &mut y);
+            (y, dot)
+        };
+        let ((y, dot), (hidden_y, hidden_dot)) = (product_dot(&known), product_dot(&hidden));
+        assert!(near(&y, &hidden_y) && (dot - hidden_dot).abs() < 1e-10 * dot);
+        let inverse_diagonal: Vec<f64> = hidden.diagonal().iter().map(|d| 1.0 / d).collect();
+        let step = |operator: &dyn Operator| {
+            let (mut d, mut next) = (direction.clone(), vec![0.0; n]);
+            operator.chebyshev_step(ChebyshevStep {
+                inverse_diagonal: &inverse_diagonal,
+                keep: 0.3,
+                add: 1.7,
+                b: &b,
+                x: &x,
+                d: &mut d,
+                next: &mut next,
+            });
+            (d, next)
+        };
+        let ((d, next), (hidden_d, hidden_next)) = (step(&known), step(&hidden));
+        assert!(near(&d, &hidden_d) && near(&next, &hidden_next));
+        // No eigenvalue of D⁻¹A exceeds 2 here; only the matrix knows.
+        assert_eq!(
+            (known.bound(&inverse_diagonal), hidden.bound(&inverse_diagonal)),
+            (Some(2.0), None)
+        );
     }
 }

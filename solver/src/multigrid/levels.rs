@@ -21,7 +21,8 @@ use crate::sparse::pattern::Pattern;
 use std::borrow::Cow;
 use std::sync::Arc;
 
-/// The levels, everywhere in here **finest first**, as they are built and visited.
+/// The levels, in here **finest first**, as they are built and visited; what is told to the
+/// outside (errors, traffic) counts from the coarsest.
 pub struct Levels<E: Entry> {
     cycle: AnyCycle<E>,
     /// Which directions of each level's rows are free.
@@ -138,7 +139,7 @@ impl<E: Entry<Real = f64>> Levels<E> {
             });
             levels.push(level);
             current = Cow::Owned(coarser);
-            diagonal = Diagonal::new(&current, above - levels.len())?;
+            diagonal = Diagonal::new(&*current, above - levels.len())?;
         }
         let solver = CoarseSolver::new(expand_blocks(&current, scale), elimination)?;
         summaries.push(LevelSummary { bytes: solver.bytes(), ..LevelSummary::of(&*current) });

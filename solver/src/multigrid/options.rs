@@ -79,8 +79,8 @@ pub enum Precision {
     Double,
 }
 
-/// The choices of a cycle. The defaults suit every problem that this crate
-/// assembles; nobody has to choose.
+/// The choices of a cycle. The defaults suit the systems of finite
+/// elements; nobody has to choose.
 ///
 /// `S` is the smoother: asked for or left open, or, once the matrix is known
 /// ([`ResolvedOptions`]), the one that runs.
@@ -157,7 +157,7 @@ impl ResolvedOptions {
     pub(crate) fn visits(&self, below: usize) -> usize {
         match self.shape {
             CycleShape::V => 1,
-            // A hierarchy has few levels, but the list comes from outside.
+            // There are few levels, but the list comes from outside.
             CycleShape::W => 1 << below.min(usize::BITS as usize - 1),
         }
     }

@@ -18,7 +18,7 @@ pub struct Transfer<E> {
     /// Whether it is smoothed first by a step of Jacobi's method:
     /// (I − ω D⁻¹ A) P with ω = 4 / (3 λmax) and the matrix of this level.
     pub smooth: bool,
-    /// The coarse matrix, assembled on the coarse mesh; the Galerkin product Pᵀ A P
+    /// The coarse matrix, however it was made; the Galerkin product Pᵀ A P
     /// if there is none. It must be constrained as the coarse level is.
     pub coarse_matrix: Option<Csr<E>>,
 }

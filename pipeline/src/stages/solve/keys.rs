@@ -1,6 +1,6 @@
 //! The keys of a stage `solve`.
 
-use octruss_fem::{Options, Prolongations};
+use octruss_fem::{Contradiction, Options, Prolongations};
 use octruss_mesh::Scheme;
 use serde::Deserialize;
 
@@ -45,7 +45,7 @@ impl Default for Solve {
 impl Solve {
     /// What in the options does not go together, if anything.
     pub(in crate::stages) fn contradiction(&self) -> Option<StageContradiction> {
-        if let Some((key, message)) = self.options.contradiction() {
+        if let Some(Contradiction { key, message }) = self.options.contradiction() {
             return Some(StageContradiction::of_key(key, message));
         }
         if let ProblemKeys::Elasticity(keys) = &self.problem

@@ -1,11 +1,12 @@
 //! The diagonal that a smoother inverts, by entries.
 
 use crate::error::Error;
+use crate::krylov::operator::Operator;
 use crate::multigrid::options::DiagonalKind;
 use crate::multigrid::projectors::Projectors;
 use crate::sparse::csr::Csr;
 use crate::sparse::entry::Entry;
-use octruss_base::chunks::map_chunks2;
+use octruss_base::chunks::map_chunks;
 use octruss_base::large_array::zeroed;
 
 /// The entries of a diagonal, numbers or blocks, all positive definite.
@@ -15,16 +16,15 @@ pub(crate) struct Diagonal<E> {
 }
 
 impl<E: Entry<Real = f64>> Diagonal<E> {
-    /// Of the matrix of a level, 0 the coarsest.
+    /// Of the operator of a level, 0 the coarsest.
     ///
     /// # Errors
     /// [`Error::Diagonal`] at the first entry that is missing or not positive definite.
-    pub(crate) fn new(matrix: &Csr<E>, level: usize) -> Result<Self, Error> {
-        let [mut entries, mut inverses]: [Vec<E>; 2] =
-            std::array::from_fn(|_| zeroed(matrix.rows()));
-        let chunks = map_chunks2(&mut entries, &mut inverses, |first, entries, inverses| {
-            for (row, (entry, inverse)) in (first..).zip(entries.iter_mut().zip(inverses)) {
-                *entry = matrix.get(row, row).unwrap_or_default();
+    pub(crate) fn new(operator: &impl Operator<E>, level: usize) -> Result<Self, Error> {
+        let entries = operator.diagonal();
+        let mut inverses: Vec<E> = zeroed(entries.len());
+        let chunks = map_chunks(&mut inverses, |first, inverses| {
+            for (row, (entry, inverse)) in (first..).zip(entries[first..].iter().zip(inverses)) {
                 let fault = |value| Error::Diagonal { level, row, value };
                 *inverse = entry.inverse().map_err(fault)?;
             }

@@ -248,6 +248,10 @@ fn wrong_choices_are_refused_where_they_stand() {
              scheme, linear, quadratic)",
         ),
         ("sweeps = [0, 0]", "13:10: `sweeps` in stage `solve`: expected at least one sweep"),
+        (
+            "sweeps = [1, 2, 3]",
+            "13:10: `sweeps` in stage `solve`: expected a list of two, before and after, found 3",
+        ),
         ("sweeps = 300", "13:10: `sweeps` in stage `solve`: found integer `300`, expected a whole"),
         ("account = 1", "13:11: `account` in stage `solve`: found integer `1`, expected true or"),
     ] {

@@ -33,9 +33,14 @@ impl<'de> Visitor<'de> for SweepsVisitor {
     }
 
     fn visit_seq<A: SeqAccess<'de>>(self, list: A) -> Result<Sweeps, A::Error> {
-        match <[u8; 2]>::deserialize(SeqAccessDeserializer::new(list))? {
+        match Vec::<u8>::deserialize(SeqAccessDeserializer::new(list))?[..] {
             [0, 0] => Err(A::Error::custom("expected at least one sweep, found none")),
-            sweeps => Ok(Sweeps(sweeps)),
+            [before, after] => Ok(Sweeps([before, after])),
+            ref list => {
+                let found = list.len();
+                let message = format!("expected a list of two, before and after, found {found}");
+                Err(A::Error::custom(message))
+            }
         }
     }
 }

@@ -71,6 +71,7 @@ fn in_plain_words(message: &str) -> String {
         ("expected usize", "expected a whole number, 0 or more"),
         ("expected f64", "expected a number"),
         ("expected struct Compare", "expected a table [compare]"),
+        ("expected struct MaterialKeys", "expected a table such as { young = 1, poisson = 0.3 }"),
         ("expected a boolean", "expected true or false"),
         ("expected a sequence", "expected a list"),
         ("expected a map", "expected a table"),

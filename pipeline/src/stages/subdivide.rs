@@ -1,5 +1,6 @@
 //! Refining the mesh, level by level.
 
+use octruss_base::choice::Named;
 use octruss_mesh::guard::usual_floor;
 use octruss_mesh::{
     Diagonal, ExtraFeatures, FeatureOptions, Marking, Overshoot, Scheme, Step, TetMesh, Topology,
@@ -14,9 +15,9 @@ use super::field_notes::field_notes;
 use super::groups::group_ids;
 use super::jumps::start_jumps;
 use crate::error::Error;
-use crate::options::{Degrees, Ends, Fraction, MinQuality, Named, SchemeName};
+use crate::options::{Degrees, Ends, Fraction, MinQuality, SchemeName};
 use crate::report::{CarriedFields, LevelReport, StrataCounts, SubdivideReport};
-use crate::state::State;
+use crate::state::{RefineError, State};
 
 /// Refines every tet into eight, some times over. The marking and what stays
 /// sharp are found once, on the coarsest mesh: a second such stage, or a mesh
@@ -132,9 +133,13 @@ impl Subdivide {
         let overshoot = if self.clamp { Overshoot::Clamp } else { Overshoot::Allow };
         let finest = context.needed(state.mesh.finest())?;
         let step = self.step(finest);
-        let clamped = state
-            .refine(step, overshoot)
-            .map_err(|source| Error::Subdivide { stage: context.stage.label.clone(), source })?;
+        let clamped = match state.refine(step, overshoot) {
+            Ok(clamped) => clamped,
+            Err(RefineError::Missing(missing)) => return context.needed(Err(missing)),
+            Err(RefineError::Subdivide(source)) => {
+                return Err(Error::Subdivide { stage: context.stage.label.clone(), source });
+            }
+        };
         let hierarchy = context.needed(state.mesh.levels())?;
         let report = LevelReport::of_finest(hierarchy);
         let result = report.result();

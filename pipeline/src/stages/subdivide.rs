@@ -91,6 +91,16 @@ impl Default for Subdivide {
     }
 }
 
+/// The keys of those of these fields that are given: a key is the name of its field, as
+/// serde spells it.
+macro_rules! given_keys {
+    ($options:expr, $($field:ident),+ $(,)?) => {{
+        let fields = [$((stringify!($field), $options.$field.is_some())),+];
+        let given = fields.into_iter().filter(|(_, is_given)| *is_given);
+        given.map(|(field, _)| field.replace('_', "-")).collect::<Vec<_>>()
+    }};
+}
+
 impl Subdivide {
     pub(super) fn run(
         &self,
@@ -201,18 +211,17 @@ impl Subdivide {
 
     /// Notes about options that come too late, or that this scheme has no use for.
     fn without_effect(&self, mesh: &TetMesh) -> Vec<String> {
-        let given = [
-            ("marking", self.marking.is_some()),
-            ("crease-angle", self.crease_angle.is_some()),
-            ("group-curves", self.group_curves.is_some()),
-            ("group-points", self.group_points.is_some()),
-            ("group-borders", self.group_borders.is_some()),
-            ("surfaces", self.surfaces.is_some()),
-            ("extra-creases", self.extra_creases.is_some()),
-            ("extra-corners", self.extra_corners.is_some()),
-        ];
-        let given: Vec<&str> =
-            given.into_iter().filter(|(_, is)| *is).map(|(key, _)| key).collect();
+        let given = given_keys!(
+            self,
+            marking,
+            crease_angle,
+            group_curves,
+            group_points,
+            group_borders,
+            surfaces,
+            extra_creases,
+            extra_corners,
+        );
         let mut notes = Vec::new();
         if mesh.features().is_some() && !given.is_empty() {
             let given = given.join(", ");

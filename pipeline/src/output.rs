@@ -23,6 +23,9 @@ pub fn check_folder(folder: &Path) -> Result<(), Error> {
     Ok(())
 }
 
+/// What a run did.
+pub const REPORT: &str = "report.json";
+
 /// The best iterate of a solve that did not reach its goal.
 pub const UNFINISHED: &str = "unfinished.vtu";
 
@@ -32,7 +35,7 @@ pub const UNFINISHED: &str = "unfinished.vtu";
 /// # Errors
 /// If there is one that the system does not let go.
 pub fn remove_earlier(folder: &Path) -> Result<(), Error> {
-    remove(folder, &["report.json", UNFINISHED])
+    remove(folder, &[REPORT, UNFINISHED])
 }
 
 /// Removes files of these names, where they are.

@@ -2,13 +2,14 @@
 //! by a scheme and by linear interpolation, and both are compared with the solution
 //! of the finer level.
 
+use octruss_base::choice::Choice;
 use octruss_fem::{Discretisation, Error, Options, Unknown};
 use octruss_mesh::Scheme;
 use octruss_solver::{Nodal, dot, kernels, norm};
 
 use super::attempt::attempt;
 use super::carried_solution::CarriedSolution;
-use crate::options::{Choice, Geometry};
+use crate::options::Geometry;
 use crate::stages::Context;
 
 /// Carries the solution of the level below the finest up by each scheme. What is

@@ -15,7 +15,8 @@ use crate::output;
 /// What a comparison writes.
 const FILES: [&str; 4] = ["compare.txt", "compare.csv", "compare.json", "compare.svg"];
 
-/// What a comparison found.
+/// What a comparison found. Its keys in `compare.json` are no promise yet, so it has no
+/// number of a schema.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Comparison {
     /// The version that made it.

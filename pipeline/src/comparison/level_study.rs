@@ -2,6 +2,7 @@
 
 use std::time::Instant;
 
+use octruss_base::choice::Choice;
 use octruss_fem::{Discretisation, Error, Options, Solver, TransferSummary, Unknown};
 use octruss_solver::{
     Csr, CycleShape, Entry, Multigrid, Nodal, SolveReport, geometric_mean, noise, reductions,
@@ -9,7 +10,7 @@ use octruss_solver::{
 
 use super::attempt::attempt;
 use super::row::Row;
-use crate::options::{Choice, Geometry};
+use crate::options::Geometry;
 use crate::report::MethodFigures;
 use crate::stages::Context;
 
@@ -75,7 +76,7 @@ impl<E: Unknown> LevelStudy<'_, E> {
             affine_defect_before: worst(|transfer| transfer.affine_defect_before),
             interface_rows: Choice::name(options.interface_rows).into(),
             cycle: format!("{}({},{})", shape, cycle.before, cycle.after),
-            smoother: MethodFigures::new(options, &solver, None).smoother_and_degree(),
+            smoother: MethodFigures::new(options, &solver).smoother_and_degree(),
             level: self.discrete.hierarchy.transfers(),
             unknowns: self.discrete.unknowns(),
             iterations: report.as_ref().map(|report| report.iterations),

@@ -3,7 +3,7 @@
 //!
 //! ```text
 //! Recipe ─▶ Plan ─▶ for each geometry and level: Variants ─▶ Rows ─▶ Verdict
-//!                                           └─▶ Carried (a coarse solution, interpolated)
+//!                                           └─▶ CarriedSolutions (coarse ones, interpolated)
 //! ```
 
 mod attempt;

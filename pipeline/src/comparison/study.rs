@@ -4,6 +4,7 @@ use std::path::Path;
 use std::sync::atomic::AtomicBool;
 use std::time::Instant;
 
+use octruss_base::choice::{Choice, Named};
 use octruss_fem::{Discretisation, Error as FemError, Problem};
 use octruss_mesh::{Hierarchy, Scheme};
 
@@ -15,7 +16,7 @@ use super::row::Row;
 use super::verdict::verdict;
 use crate::error::{ConfigError, ConfigPlace, Error};
 use crate::observer::{Event, Observer, StagePlace};
-use crate::options::{Choice, Compare, Geometry, Named};
+use crate::options::{Compare, Geometry};
 use crate::recipe::Recipe;
 use crate::run::run_stages;
 use crate::stages::solve::{biharmonic, elasticity, poisson};

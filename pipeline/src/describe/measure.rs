@@ -2,6 +2,7 @@
 
 use std::borrow::Cow;
 
+use octruss_base::vector3::{cross, length, subtract};
 use octruss_mesh::components::first_tets;
 use octruss_mesh::quality::summarise;
 use octruss_mesh::reference_tet::six_volumes;
@@ -119,9 +120,7 @@ fn volume(mesh: &RawMesh, tet: &[u32; 4]) -> f64 {
 
 fn area(mesh: &RawMesh, triangle: [u32; 3]) -> f64 {
     let [o, a, b] = triangle.map(|v| mesh.points[v as usize]);
-    let [a, b] = [a, b].map(|p| [p[0] - o[0], p[1] - o[1], p[2] - o[2]]);
-    let normal = [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]];
-    normal.iter().map(|x| x * x).sum::<f64>().sqrt() / 2.0
+    length(cross(subtract(a, o), subtract(b, o))) / 2.0
 }
 
 #[cfg(test)]

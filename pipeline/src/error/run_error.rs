@@ -6,6 +6,7 @@ use octruss_mesh::CheckError;
 use octruss_mesh::SubdivideError;
 
 use super::config_error::ConfigError;
+use super::order::needs_before;
 use super::unfinished_solve::UnfinishedSolve;
 
 /// Why a run stopped.
@@ -65,7 +66,7 @@ pub enum Error {
     #[error(transparent)]
     Name(ConfigError),
     /// A stage stands before the one whose result it needs.
-    #[error("stage `{stage}` needs a stage `{needs}` before it")]
+    #[error("{}", needs_before(&format!("stage `{stage}`"), needs))]
     Order {
         /// The stage's label.
         stage: String,

@@ -3,6 +3,7 @@
 use octruss_base::suggestion::suggestion;
 use toml::Spanned;
 
+use super::option_names::option_names;
 use super::per_region::{PerRegion, Regional};
 use super::value::Value;
 use super::value_or::ValueOr;
@@ -29,8 +30,6 @@ impl Regional for MaterialKeys {
 }
 
 impl MaterialKeys {
-    const KEYS: [&'static str; 3] = ["young", "poisson", "density"];
-
     fn massless() -> Value {
         Value::Number(0.0)
     }
@@ -56,8 +55,9 @@ impl MaterialKeys {
         if !named.is_empty() {
             return Ok(PerRegion::Named(named));
         }
-        if let Some((key, _)) = numbers.iter().find(|(key, _)| !Self::KEYS.contains(&&**key)) {
-            return Err(format!("unknown key `{key}`{}", suggestion(key, &Self::KEYS)));
+        let keys = option_names::<Self>();
+        if let Some((key, _)) = numbers.iter().find(|(key, _)| !keys.contains(&&**key)) {
+            return Err(format!("unknown key `{key}`{}", suggestion(key, keys)));
         }
         let mut of = |key: &str| {
             let found = numbers.iter().position(|(name, _)| name == key);

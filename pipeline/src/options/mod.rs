@@ -1,5 +1,6 @@
 //! The values that configs fill in, and code can, too. Each is checked where it is made;
-//! none knows of stages, recipes or places in a config.
+//! none knows of stages or recipes. A name of the mesh keeps its place in the config, since
+//! only a stage can check it.
 
 mod compare;
 mod material;
@@ -14,8 +15,6 @@ mod value_or;
 pub use compare::{Compare, Geometry};
 pub use material::MaterialKeys;
 pub use min_quality::MinQuality;
-pub use octruss_base::choice::{Auto, Choice, Named};
-pub use octruss_base::suggestion::suggestion;
 pub use on_surface::{OnSurface, RobinOnSurface, Springs, VectorOnSurface};
 pub use option_names::option_names;
 pub use per_region::{PerRegion, Regional};
@@ -24,4 +23,4 @@ pub use value::{Degrees, Ends, Fraction, Value, VectorValue};
 pub use value_or::{ValueOr, ValueOrVector};
 
 /// A scheme with its usual parameters, by its name.
-pub type SchemeName = Named<octruss_mesh::Scheme>;
+pub type SchemeName = octruss_base::choice::Named<octruss_mesh::Scheme>;

@@ -3,13 +3,15 @@
 //! A config writes them side by side; the structs that take them are those of the
 //! problem and the options of the library.
 
+use octruss_base::choice::{Choice, Named};
+use octruss_base::suggestion::suggestion;
 use octruss_fem::Options;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
 use super::tree::Tree;
 use crate::error::{ConfigError, Source};
-use crate::options::{option_names, suggestion};
+use crate::options::option_names;
 use crate::stages::{Equation, Solve};
 
 type Table<'a> = DeTable<'a>;
@@ -68,19 +70,18 @@ fn equation(
         let message = format!("`{PROBLEM}` in stage `{label}`: found {found}, expected a name");
         return Err(source.error(&span, message));
     };
-    let found = Equation::ALL.into_iter().find(|equation| equation.name() == name.as_ref());
-    let equation = found.ok_or_else(|| {
-        let valid = Equation::ALL.map(Equation::name);
+    let Ok(Named(equation)) = name.parse() else {
+        let valid: Vec<&str> = Equation::ALL.iter().map(|equation| equation.name()).collect();
         let message =
             format!("unknown value `{name}` in stage `{label}`{}", suggestion(name, &valid));
-        source.error(&span, message)
-    })?;
+        return Err(source.error(&span, message));
+    };
     Ok((equation, Some(span)))
 }
 
 /// Why a stage that solves this equation does not take a key.
 fn refusal(key: &str, equation: Equation, label: &str) -> String {
-    let owner = Equation::ALL.into_iter().find(|other| other.keys().contains(&key));
+    let owner = Equation::ALL.iter().find(|other| other.keys().contains(&key));
     if let Some(owner) = owner {
         let (owner, name) = (owner.name(), equation.name());
         let is_own = |key: &&&str| !Equation::ALL.iter().all(|other| other.keys().contains(*key));

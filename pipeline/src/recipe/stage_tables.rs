@@ -2,6 +2,7 @@
 
 use std::ops::Range;
 
+use octruss_base::suggestion::suggestion;
 use toml::Spanned;
 use toml::de::{DeArray, DeTable, DeValue};
 
@@ -9,8 +10,7 @@ use super::explain::deserialize;
 use super::labels::labels_of_trees;
 use super::solve_keys::sort_keys;
 use super::tree::Tree;
-use crate::error::{ConfigError, Source};
-use crate::options::suggestion;
+use crate::error::{ConfigError, Source, needs_before};
 use crate::stages::{Stage, StageContradiction, Where};
 
 /// Reads every stage, after those before it.
@@ -26,7 +26,7 @@ pub fn read_stages(root: &Tree, source: &Source) -> Result<Vec<Stage>, ConfigErr
         if let Some(needed) = stage.needs()
             && !stages.iter().any(|before| before.kind() == needed)
         {
-            let message = format!("stage `{label}` needs a stage `{needed}` before it");
+            let message = needs_before(&format!("stage `{label}`"), needed);
             return Err(source.error(&tree.span(), message));
         }
         if let Some(StageContradiction { place, message }) = stage.contradiction() {

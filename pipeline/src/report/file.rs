@@ -7,10 +7,7 @@ use octruss_meshio::write_aside;
 
 use super::run_report::{Report, SCHEMA};
 use crate::error::Error;
-use crate::output::create_folder;
-
-/// What the file is called.
-pub const FILE: &str = "report.json";
+use crate::output::{REPORT, create_folder};
 
 impl Report {
     /// Writes `report.json` into a folder.
@@ -20,7 +17,7 @@ impl Report {
     pub fn write(&self, folder: &Path) -> Result<(), Error> {
         create_folder(folder)?;
         let text = serde_json::to_string_pretty(self).expect("a report has only string keys");
-        write_aside(&folder.join(FILE), |file| writeln!(file, "{text}"))?;
+        write_aside(&folder.join(REPORT), |file| writeln!(file, "{text}"))?;
         Ok(())
     }
 

@@ -1,5 +1,5 @@
-//! What a run did, as `report.json` tells it: plain data. The names of the keys are a
-//! promise to scripts.
+//! What a run did, as `report.json` tells it: data, and how it is gathered. The names of
+//! the keys are a promise to scripts.
 
 mod check_report;
 mod file;

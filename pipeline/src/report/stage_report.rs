@@ -37,17 +37,6 @@ pub enum Done {
 }
 
 impl Done {
-    /// The kind of the stage, as configs call it.
-    pub fn kind(&self) -> &'static str {
-        match self {
-            Self::Import(_) => "import",
-            Self::Check(_) => "check",
-            Self::Subdivide(_) => "subdivide",
-            Self::Solve(_) => "solve",
-            Self::Write(_) => "write",
-        }
-    }
-
     /// The outcome in a line.
     pub fn summary(&self) -> String {
         match self {

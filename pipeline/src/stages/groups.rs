@@ -1,12 +1,13 @@
 //! Groups of the mesh by the names that configs use.
 
+use octruss_base::suggestion::suggestion;
 use octruss_fem::ByRegion;
 use octruss_mesh::RawMesh;
 use toml::Spanned;
 
 use super::context::Context;
 use crate::error::Error;
-use crate::options::{PerRegion, suggestion};
+use crate::options::PerRegion;
 
 /// The ids of the groups called `name` in dimension 2 (surfaces) or 3
 /// (regions) that some simplex belongs to.

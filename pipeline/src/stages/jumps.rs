@@ -1,12 +1,12 @@
 //! Fields that are to jump between regions.
 
+use octruss_base::suggestion::suggestion;
 use octruss_mesh::Sides;
 use octruss_meshio::{Field, Values};
 use toml::Spanned;
 
 use super::context::Context;
 use crate::error::Error;
-use crate::options::suggestion;
 use crate::state::{SidedFields, State, floats};
 
 /// Where the values of a side come from.

@@ -5,6 +5,7 @@ mod check;
 mod context;
 mod corner_fields;
 mod field_notes;
+mod file_names;
 mod groups;
 mod import;
 mod jumps;

@@ -2,12 +2,8 @@
 
 use std::path::{Path, PathBuf};
 
+use super::file_names::is_own;
 use crate::error::Error;
-
-/// The names of a stage's files that do not depend on the number of levels, but for
-/// `solution.vtu`, which is always written.
-const FIXED: [&str; 4] =
-    ["solution.surfaces.vtu", "solution.sides.vtu", "features.vtu", "levels.pvd"];
 
 /// Removes from a folder the files with names that the stage gives, but those
 /// `written` in this run and the file `read` in it, so that none is taken for one of
@@ -41,12 +37,4 @@ pub(super) fn remove_stale(
         std::fs::remove_file(path).map_err(|error| refused(path, error))?;
     }
     Ok(stale)
-}
-
-/// Whether the stage gives this name to a file besides `solution.vtu`.
-fn is_own(name: &str) -> bool {
-    let number = name.strip_prefix("level-").and_then(|rest| rest.strip_suffix(".vtu"));
-    // As it is written: without sign or leading zeros.
-    let is_level = |number: &str| number.parse::<usize>().is_ok_and(|n| n.to_string() == number);
-    FIXED.contains(&name) || number.is_some_and(is_level)
 }

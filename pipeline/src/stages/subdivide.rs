@@ -1,5 +1,6 @@
 //! Refining the mesh, level by level.
 
+use octruss_base::choice::Named;
 use octruss_mesh::guard::usual_floor;
 use octruss_mesh::{
     Diagonal, ExtraFeatures, FeatureOptions, Marking, Overshoot, Scheme, Step, TetMesh, Topology,
@@ -14,9 +15,9 @@ use super::field_notes::field_notes;
 use super::groups::group_ids;
 use super::jumps::start_jumps;
 use crate::error::Error;
-use crate::options::{Degrees, Ends, Fraction, MinQuality, Named, SchemeName};
+use crate::options::{Degrees, Ends, Fraction, MinQuality, SchemeName};
 use crate::report::{CarriedFields, LevelReport, StrataCounts, SubdivideReport};
-use crate::state::State;
+use crate::state::{RefineError, State};
 
 /// Refines every tet into eight, some times over. The marking and what stays
 /// sharp are found once, on the coarsest mesh: a second such stage, or a mesh
@@ -90,6 +91,16 @@ impl Default for Subdivide {
     }
 }
 
+/// The keys of those of these fields that are given: a key is the name of its field, as
+/// serde spells it.
+macro_rules! given_keys {
+    ($options:expr, $($field:ident),+ $(,)?) => {{
+        let fields = [$((stringify!($field), $options.$field.is_some())),+];
+        let given = fields.into_iter().filter(|(_, is_given)| *is_given);
+        given.map(|(field, _)| field.replace('_', "-")).collect::<Vec<_>>()
+    }};
+}
+
 impl Subdivide {
     pub(super) fn run(
         &self,
@@ -132,9 +143,13 @@ impl Subdivide {
         let overshoot = if self.clamp { Overshoot::Clamp } else { Overshoot::Allow };
         let finest = context.needed(state.mesh.finest())?;
         let step = self.step(finest);
-        let clamped = state
-            .refine(step, overshoot)
-            .map_err(|source| Error::Subdivide { stage: context.stage.label.clone(), source })?;
+        let clamped = match state.refine(step, overshoot) {
+            Ok(clamped) => clamped,
+            Err(RefineError::Missing(missing)) => return context.needed(Err(missing)),
+            Err(RefineError::Subdivide(source)) => {
+                return Err(Error::Subdivide { stage: context.stage.label.clone(), source });
+            }
+        };
         let hierarchy = context.needed(state.mesh.levels())?;
         let report = LevelReport::of_finest(hierarchy);
         let result = report.result();
@@ -196,18 +211,17 @@ impl Subdivide {
 
     /// Notes about options that come too late, or that this scheme has no use for.
     fn without_effect(&self, mesh: &TetMesh) -> Vec<String> {
-        let given = [
-            ("marking", self.marking.is_some()),
-            ("crease-angle", self.crease_angle.is_some()),
-            ("group-curves", self.group_curves.is_some()),
-            ("group-points", self.group_points.is_some()),
-            ("group-borders", self.group_borders.is_some()),
-            ("surfaces", self.surfaces.is_some()),
-            ("extra-creases", self.extra_creases.is_some()),
-            ("extra-corners", self.extra_corners.is_some()),
-        ];
-        let given: Vec<&str> =
-            given.into_iter().filter(|(_, is)| *is).map(|(key, _)| key).collect();
+        let given = given_keys!(
+            self,
+            marking,
+            crease_angle,
+            group_curves,
+            group_points,
+            group_borders,
+            surfaces,
+            extra_creases,
+            extra_corners,
+        );
         let mut notes = Vec::new();
         if mesh.features().is_some() && !given.is_empty() {
             let given = given.join(", ");

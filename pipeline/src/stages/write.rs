@@ -9,6 +9,7 @@ use octruss_meshio::{Dataset, Field, Values, pvd, vtu};
 use serde::Deserialize;
 
 use super::context::Context;
+use super::file_names::{FEATURES, LEVELS, SIDES, SOLUTION, of_level};
 use super::stale::remove_stale;
 use crate::amount;
 use crate::error::Error;
@@ -50,7 +51,7 @@ impl Write {
         let derived = derived_fields(state, finest, all);
         let notes = derived.replaced(&state.point_fields, &state.cell_fields);
         context.remark(&notes);
-        let mut files = context.step(1, levels + 1, "solution.vtu", || {
+        let mut files = context.step(1, levels + 1, SOLUTION, || {
             let mut solution = Dataset {
                 mesh: finest.raw().clone(),
                 point_fields: state.point_fields.clone(),
@@ -58,18 +59,18 @@ impl Write {
                 ..Dataset::default()
             };
             derived.add_to(&mut solution);
-            self.write_solution(&folder.join("solution.vtu"), &solution)
+            self.write_solution(&folder.join(SOLUTION), &solution)
         })?;
-        files.extend(write_sides(&folder.join("solution.sides.vtu"), state)?);
+        files.extend(write_sides(&folder.join(SIDES), state)?);
         if let Some(coarsest) = all.first().filter(|_| self.features) {
-            let path = folder.join("features.vtu");
+            let path = folder.join(FEATURES);
             vtu::write_features(&path, &coarsest.mesh, &state.feature_reasons)?;
             files.push(path);
         }
         let mut entries = Vec::new();
         for (number, level) in all.iter().take(levels).enumerate() {
             let mesh = &level.mesh;
-            let name = format!("level-{number}.vtu");
+            let name = of_level(number);
             let path = folder.join(&name);
             context.step(number + 2, levels + 1, &name, || {
                 if number + 1 == all.len() {
@@ -81,7 +82,7 @@ impl Write {
             entries.push((number as f64, name));
         }
         if self.levels {
-            let path = folder.join("levels.pvd");
+            let path = folder.join(LEVELS);
             pvd::write(&path, &entries)?;
             files.push(path);
         }

@@ -3,6 +3,8 @@
 use octruss_mesh::{Hierarchy, TetMesh};
 use octruss_meshio::Dataset;
 
+use crate::error::needs_before;
+
 /// One mesh in the phase that the stages so far have brought it to.
 #[derive(Debug, Default)]
 pub enum MeshPhase {
@@ -19,7 +21,7 @@ pub enum MeshPhase {
 
 /// The kind of stage without which there is not what was asked for.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]
-#[error("it needs a stage `{stage}` before it")]
+#[error("{}", needs_before("it", stage))]
 pub struct Missing {
     /// As configs call it.
     pub stage: &'static str,

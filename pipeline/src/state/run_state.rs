@@ -3,14 +3,15 @@
 use std::path::PathBuf;
 
 use octruss_mesh::{
-    FeatureOptions, FeatureReasons, Hierarchy, Level, Overshoot, Renumbering, Step, SubdivideError,
-    TetMesh, prepare, sort_along_curve,
+    FeatureOptions, FeatureReasons, Hierarchy, Level, Overshoot, Renumbering, Step, TetMesh,
+    prepare, sort_along_curve,
 };
 use octruss_meshio::{Dataset, Field, Values};
 
 use super::floats::floats;
 use super::input_numbers::InputNumbers;
 use super::mesh_phase::{MeshPhase, Missing};
+use super::refine_error::RefineError;
 use super::sided_fields::SidedFields;
 
 /// What the stages so far have made.
@@ -81,12 +82,13 @@ impl State {
     }
 
     /// Adds a level, onto which the fields are carried; returns how many values
-    /// were clamped. Without levels nothing happens.
+    /// were clamped.
     ///
     /// # Errors
-    /// As [`Hierarchy::subdivide`]; everything then stays as it was.
-    pub fn refine(&mut self, step: Step, overshoot: Overshoot) -> Result<usize, SubdivideError> {
-        let Ok(hierarchy) = self.mesh.levels_mut() else { return Ok(0) };
+    /// As [`MeshPhase::levels`] and [`Hierarchy::subdivide`]; everything then stays as it
+    /// was.
+    pub fn refine(&mut self, step: Step, overshoot: Overshoot) -> Result<usize, RefineError> {
+        let hierarchy = self.mesh.levels_mut()?;
         hierarchy.subdivide(step)?;
         let refinement = hierarchy.refinement(hierarchy.transfers() - 1);
         let mut clamped = 0;

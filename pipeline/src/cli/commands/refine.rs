@@ -4,10 +4,11 @@ use std::path::{Path, PathBuf};
 use std::sync::atomic::AtomicBool;
 
 use octruss::Error;
-use octruss::options::{Degrees, MinQuality, Named, SchemeName};
+use octruss::options::{Degrees, MinQuality, SchemeName};
 use octruss::output::write_with_surfaces;
 use octruss::run::run_stages;
 use octruss::stages::{Check, Import, Stage, Subdivide, Workplace};
+use octruss_base::choice::Named;
 use octruss_mesh::{Diagonal, Marking};
 use octruss_meshio::{Dataset, check_target};
 

@@ -42,7 +42,8 @@ pub struct Spectrum {
     /// Print JSON for scripts
     #[arg(long)]
     json: bool,
-    /// File for the sampled characteristic map, .vtu or .vtk
+    /// File for the sampled characteristic map: .vtu, .vtk, or .mesh, which has no room for
+    /// its fields
     #[arg(long, value_name = "OUT")]
     map: Option<PathBuf>,
 }

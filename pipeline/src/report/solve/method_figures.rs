@@ -1,7 +1,7 @@
 //! What a solve was done with.
 
 use octruss_base::choice::Choice;
-use octruss_fem::{FullTransfer, Method, Options, Solver, Unknown};
+use octruss_fem::{Method, Options, Solver, Unknown};
 use octruss_solver::{Precision, Preconditioner, ResolvedOptions, Smoother};
 use serde::{Deserialize, Serialize};
 
@@ -27,13 +27,9 @@ pub struct MethodFigures {
 }
 
 impl MethodFigures {
-    /// What the multigrid of a solver is used as, and how its full pass transferred if it
-    /// had one.
-    pub(crate) fn new<E: Unknown>(
-        options: &Options,
-        solver: &Solver<E>,
-        full_transfer: Option<FullTransfer>,
-    ) -> Self {
+    /// What the multigrid of a solver is used as, and how its full pass transfers if it
+    /// has one.
+    pub(crate) fn new<E: Unknown>(options: &Options, solver: &Solver<E>) -> Self {
         let multigrid = &solver.multigrid;
         let ResolvedOptions { smoother, before, after, precision, .. } = *multigrid.options();
         let method = match options.method() {
@@ -47,7 +43,7 @@ impl MethodFigures {
         Self {
             method: method.into(),
             cycle: options.cycle().name().into(),
-            full_transfer: full_transfer.map(|transfer| transfer.name().into()),
+            full_transfer: solver.full_transfer().map(|transfer| transfer.name().into()),
             smoother: smoother.name().into(),
             smoothing_degree,
             sweeps: [before, after],

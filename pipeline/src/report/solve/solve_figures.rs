@@ -74,7 +74,7 @@ pub struct SolveFigures {
     /// count as assembly.
     #[serde(deserialize_with = "null_as_nan")]
     pub setup_seconds: f64,
-    /// Iterating, after the pass of full multigrid if there was one.
+    /// Iterating, and the pass of full multigrid before it if there was one.
     #[serde(deserialize_with = "null_as_nan")]
     pub solve_seconds: f64,
     /// Bytes and bandwidth of each kernel of a cycle, if asked for.
@@ -83,12 +83,13 @@ pub struct SolveFigures {
 }
 
 impl SolveFigures {
-    /// Of a solve; what the caller adds is the range of the solution, 0 here, the number
-    /// of unknowns, and traffic if it is asked for.
+    /// Of a solve whose solution has this `range`, the least and the greatest value;
+    /// traffic is added by the caller if it is asked for.
     pub(crate) fn new<E: Unknown>(
         options: &Options,
         solver: &Solver<E>,
         solution: &Solution<E>,
+        [minimum, maximum]: [f64; 2],
     ) -> Self {
         let (multigrid, report) = (&solver.multigrid, &solution.report);
         let cycles = report.iterations as f64;
@@ -103,8 +104,8 @@ impl SolveFigures {
             affine_correction: Choice::name(options.affine_correction).into(),
             interface_rows: Choice::name(options.interface_rows).into(),
             coarse_operator: options.coarse_operator.name().into(),
-            method: MethodFigures::new(options, solver, solver.full_transfer()),
-            unknowns: 0,
+            method: MethodFigures::new(options, solver),
+            unknowns: multigrid.finest().unknowns,
             levels: multigrid.levels().len(),
             nonzeros: multigrid.finest().nonzeros,
             nonzeros_all_levels: multigrid.levels().iter().map(|level| level.nonzeros).sum(),
@@ -118,8 +119,8 @@ impl SolveFigures {
             residual_history: report.residual_history.clone(),
             mean_reduction: reduced.powf(1.0 / cycles.max(1.0)),
             work_per_digit: if cycles > 0.0 { -work / reduced.log10() } else { 0.0 },
-            minimum: 0.0,
-            maximum: 0.0,
+            minimum,
+            maximum,
             setup_seconds: solver.setup_seconds,
             solve_seconds: report.solve_seconds,
             account: None,

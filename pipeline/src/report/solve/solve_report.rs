@@ -11,7 +11,9 @@ use crate::null::null_as_nan;
 pub struct SolveStageReport {
     /// Which equation.
     pub problem: String,
-    /// The time to assemble it, once for all solves.
+    /// The time to assemble it, once for all solves: also the coarse matrices that are
+    /// re-assembled, and the direct solve of the coarsest level from which full multigrid
+    /// lifts prescribed values.
     #[serde(deserialize_with = "null_as_nan")]
     pub assembly_seconds: f64,
     /// One a prolongation.

@@ -1,5 +1,7 @@
 //! The equations that can be solved.
 
+use octruss_base::choice::Choice;
+
 /// The equations that can be solved.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Equation {
@@ -11,12 +13,10 @@ pub enum Equation {
     Elasticity,
 }
 
-impl Equation {
-    /// All that there are.
-    pub const ALL: [Self; 3] = [Self::Poisson, Self::Biharmonic, Self::Elasticity];
-
-    /// As configs call it.
-    pub fn name(self) -> &'static str {
+impl Choice for Equation {
+    const WHAT: &'static str = "problem";
+    const ALL: &'static [Self] = &[Self::Poisson, Self::Biharmonic, Self::Elasticity];
+    fn name(self) -> &'static str {
         match self {
             Self::Poisson => "poisson",
             Self::Biharmonic => "biharmonic",

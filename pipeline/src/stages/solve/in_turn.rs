@@ -2,7 +2,7 @@
 
 use std::time::Instant;
 
-use octruss_fem::{Discretisation, Error as FemError, Problem, Solution, Unknown};
+use octruss_fem::{Discretisation, Error as FemError, Problem, Unknown};
 use octruss_mesh::{Hierarchy, TetMesh};
 use octruss_meshio::{Field, Values};
 use octruss_solver::Nodal;
@@ -75,15 +75,14 @@ pub(super) fn solve_in_turn<E: Unknown>(
             };
             let (mut solver, solution) =
                 solve().map_err(|source| failed(source, options, discrete, &what, context))?;
-            let mut figures = SolveFigures::new(&options.with(prolongations), &solver, &solution);
-            figures.unknowns = discrete.unknowns();
-            figures.account = options.account.then(|| solver.multigrid.traffic(REPEATS).into());
-            let Solution { values, .. } = solution;
             let inside = is_inside(&discrete.hierarchy.finest().mesh);
-            let inside = values.iter().zip(inside).filter(|(_, inside)| *inside);
-            [figures.minimum, figures.maximum] = range(inside.map(|(value, _)| magnitude(value)));
+            let inside = solution.values.iter().zip(inside).filter(|(_, inside)| *inside);
+            let range = range(inside.map(|(value, _)| magnitude(value)));
+            let options_of_this = options.with(prolongations);
+            let mut figures = SolveFigures::new(&options_of_this, &solver, &solution, range);
+            figures.account = options.account.then(|| solver.multigrid.traffic(REPEATS).into());
             let result = figures.result();
-            Ok::<_, Error>(((values, figures), result))
+            Ok::<_, Error>(((solution.values, figures), result))
         })?;
         first.get_or_insert(values);
         all.push(figures);

@@ -1,5 +1,6 @@
 //! The stage `solve`.
 
+use octruss_base::choice::Choice;
 use octruss_mesh::FeatureOptions;
 use octruss_meshio::Field;
 

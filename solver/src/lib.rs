@@ -56,6 +56,7 @@ pub use multigrid::setup::Multigrid;
 pub use multigrid::system_entry::SystemEntry;
 pub use multigrid::transfer::Transfer;
 pub use report::{SolveReport, Unfinished};
+pub use sparse::backward_error::backward_error;
 pub use sparse::csr::Csr;
 pub use sparse::dot::{dot, norm};
 pub use sparse::entry::{Acts, Entry, Nodal};

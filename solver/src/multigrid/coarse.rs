@@ -5,8 +5,14 @@
 //! depend on the number of threads. At these sizes threads gain nothing.
 //! A wrong factor has been reported upstream for large supernodes, so every
 //! factor must solve a known system before it is trusted; LU is the fallback.
+//!
+//! A matrix may be ill-conditioned, as where soft springs hold a stiff body, and its factor
+//! good all the same. So a factor is judged by the backward error of each row, and a matrix
+//! counts as singular only where its smallest eigenvalue, in units of its diagonal, is
+//! rounding.
 
 use crate::error::Error;
+use crate::sparse::backward_error::backward_error;
 use crate::sparse::csr::Csr;
 use crate::sparse::dot::norm;
 use crate::sparse::kernels::residual;
@@ -20,8 +26,15 @@ use faer::{Conj, MatMut, Par, Side};
 /// The most unknowns accepted: about a second of factoring.
 pub(crate) const LARGEST: usize = 20_000;
 
-/// The largest relative residual of the test system.
-const TOLERANCE: f64 = 1e-8;
+/// The largest backward error of the test system.
+const TOLERANCE: f64 = 1e-10;
+
+/// Eigenvalues of the matrix scaled to ones on the diagonal that are below this are
+/// rounding.
+const SINGULAR: f64 = 1e-14;
+
+/// Steps of inverse iteration: a zero eigenvalue shows after one.
+const INVERSE_STEPS: usize = 3;
 
 impl std::fmt::Debug for CoarseSolver {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
@@ -79,21 +92,45 @@ impl CoarseSolver {
             .map_err(|lu| Error::CoarsestSingular { unknowns, cholesky, lu })
     }
 
-    /// Wraps a factor if it solves a system with known noise on the right.
+    /// Wraps a factor if it solves a system with known noise on the right, and finds no
+    /// vector that the matrix sends to zero.
     fn tested(matrix: &Csr<f64>, (factor, space): (Factor, StackReq)) -> Result<Self, String> {
         let n = matrix.rows();
         let workspace = MemBuffer::try_new(space).map_err(|error| format!("{error:?}"))?;
         let (matrix, correction) = (matrix.clone(), vec![0.0; n]);
         let mut solver = Self { matrix, factor, workspace, correction };
-        let (b, mut r) = (noise(n, 2), vec![0.0; n]);
-        let mut x = b.clone();
-        solver.apply_factor(&mut x);
-        residual(&solver.matrix, &x, &b, &mut r);
-        let relative = norm(&r) / norm(&b);
-        if n > 0 && (relative > TOLERANCE || relative.is_nan()) {
-            return Err(format!("relative residual {relative:.1e} on a test system"));
+        let (b, mut x) = (noise(n, 2), vec![0.0; n]);
+        solver.solve(&b, &mut x);
+        let error = backward_error(&solver.matrix, &x, &b);
+        if error > TOLERANCE || error.is_nan() {
+            return Err(format!("backward error {error:.1e} on a test system"));
+        }
+        let smallest = solver.smallest_eigenvalue();
+        if smallest < SINGULAR || smallest.is_nan() {
+            return Err(format!("smallest eigenvalue {smallest:.1e} of its diagonal"));
         }
         Ok(solver)
+    }
+
+    /// The smallest absolute eigenvalue of D^(−1/2) A D^(−1/2), D the diagonal, from above,
+    /// by inverse iteration; infinite without unknowns.
+    fn smallest_eigenvalue(&mut self) -> f64 {
+        let n = self.matrix.rows();
+        let root = |row: usize| self.matrix.get(row, row).map_or(1.0, |d| d.abs().sqrt());
+        let roots: Vec<f64> = (0..n).map(root).collect();
+        let scale = |v: &mut [f64]| v.iter_mut().zip(&roots).for_each(|(v, root)| *v *= root);
+        let (mut v, mut y) = (noise(n, 3), vec![0.0; n]);
+        let mut smallest = f64::INFINITY;
+        for _ in 0..INVERSE_STEPS {
+            let size = norm(&v);
+            v.iter_mut().for_each(|v| *v /= size);
+            scale(&mut v);
+            self.solve(&v, &mut y);
+            scale(&mut y);
+            smallest = 1.0 / norm(&y);
+            std::mem::swap(&mut v, &mut y);
+        }
+        if n == 0 { f64::INFINITY } else { smallest }
     }
 
     /// The elimination order, for another matrix; not that of LU, the fallback.
@@ -207,6 +244,28 @@ mod tests {
                 assert!((x / exact - 1.0).abs() < 1e-12);
             }
         }
+    }
+
+    #[test]
+    fn an_ill_conditioned_matrix_is_no_singular_one() {
+        // A chain of 200 that a spring of stiffness k holds at one end: condition some 10³ / k.
+        let chain = |k: f64| {
+            let a = second_difference(200);
+            let last = a.nonzeros() - 1;
+            let mut values = a.values().to_vec();
+            (values[0], values[last]) = (1.0 + k, 1.0);
+            a.with_values(values)
+        };
+        for k in [1e-3, 1e-6, 1e-9] {
+            let mut x = vec![0.0; 200];
+            let mut pull = vec![0.0; 200];
+            pull[199] = 1.0;
+            CoarseSolver::new(chain(k), None).unwrap().solve(&pull, &mut x);
+            // 1 / k of the spring, 1 of each of 199 links.
+            let error = (x[199] / (1.0 / k + 199.0) - 1.0).abs();
+            assert!(error < 1e-13 / k, "{k}: {error}");
+        }
+        assert!(matches!(CoarseSolver::new(chain(0.0), None), Err(Error::CoarsestSingular { .. })));
     }
 
     #[test]

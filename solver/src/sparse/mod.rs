@@ -1,6 +1,7 @@
 //! Sparse matrices whose entries are numbers or 3 × 3 blocks, and the passes over them.
 
 pub mod accumulator;
+pub mod backward_error;
 pub mod blocks;
 pub mod csr;
 pub mod dot;

@@ -136,8 +136,7 @@ impl<E: SystemEntry> Study<E> {
     /// Iterations of conjugate gradients to 1e-8 for noise on the right.
     fn count(&self, variant: Variant, cycle: &MultigridOptions) -> usize {
         let numbers = noise(E::SIZE * self.matrix.rows(), 17);
-        let rows = numbers.chunks_exact(E::SIZE);
-        let rhs: Vec<E::Nodal> = rows.map(|row| Nodal::from_fn(|k| row[k])).collect();
+        let rhs = E::Nodal::from_flat(&numbers);
         let mut multigrid = self.multigrid(variant, cycle);
         let goal = SolveOptions::default();
         conjugate_gradients(&self.matrix, &rhs, &mut multigrid, &goal).unwrap().1.iterations

@@ -35,8 +35,7 @@ fn solve_entries<E: SystemEntry>(
     let rows = &description.rows;
     let matrix: Csr<E> = read_matrix(folder, "matrix", rows[0])?;
     let rhs = arrays::read::<f64>(&array(folder, "rhs"))?;
-    let rhs: Vec<E::Nodal> =
-        rhs.chunks_exact(E::SIZE).map(|numbers| E::Nodal::from_fn(|k| numbers[k])).collect();
+    let rhs = E::Nodal::from_flat(&rhs);
     let prolongations = rows[1..]
         .iter()
         .enumerate()

@@ -83,8 +83,9 @@ fn write_prolongations<E: Unknown>(
 ) -> Result<Prolongation> {
     let start = Instant::now();
     let options = Options { prolongation: scheme.into(), ..Options::default() };
-    let (transfers, summaries) = system.transfers(&options)?;
+    let transfers = system.transfers(&options)?;
     let seconds = start.elapsed().as_secs_f64();
+    let summaries = system.transfer_summaries(&options);
     let affine_defect = summaries.iter().map(|summary| summary.affine_defect).fold(0.0, f64::max);
     for (number, Transfer { prolongation, .. }) in transfers.iter().rev().enumerate() {
         write_matrix(folder, &format!("{}.{number}", scheme.name()), prolongation)?;

@@ -77,16 +77,19 @@ pub(crate) fn summaries(hierarchy: &Hierarchy, made: &[Made]) -> Vec<TransferSum
 }
 
 impl<E: Unknown> Discretisation<'_, E> {
-    /// The transfers between free unknowns, and what is known of them, both coarsest
-    /// first.
+    /// The transfers between free unknowns, coarsest first.
     ///
     /// # Errors
     /// [`octruss_solver::Error::Size`], if levels and matrices do not fit together.
-    pub fn transfers(
-        &self,
-        options: &Options,
-    ) -> Result<(Vec<Transfer<E>>, Vec<TransferSummary>), Error> {
-        let made = prolongations(self.hierarchy, options);
-        Ok((transfers(self, &made, options)?, summaries(self.hierarchy, &made)))
+    pub fn transfers(&self, options: &Options) -> Result<Vec<Transfer<E>>, Error> {
+        transfers(self, &prolongations(self.hierarchy, options), options)
+    }
+
+    /// What is known of them, coarsest first. Makes the matrices anew: a [`Solver`] that
+    /// was set up has it at hand.
+    ///
+    /// [`Solver`]: crate::Solver
+    pub fn transfer_summaries(&self, options: &Options) -> Vec<TransferSummary> {
+        summaries(self.hierarchy, &prolongations(self.hierarchy, options))
     }
 }

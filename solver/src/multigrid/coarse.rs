@@ -12,6 +12,7 @@
 //! rounding.
 
 use crate::error::Error;
+use crate::krylov::operator::Operator;
 use crate::sparse::backward_error::backward_error;
 use crate::sparse::csr::Csr;
 use crate::sparse::dot::norm;
@@ -115,22 +116,19 @@ impl CoarseSolver {
     /// The smallest absolute eigenvalue of D^(−1/2) A D^(−1/2), D the diagonal, from above,
     /// by inverse iteration; infinite without unknowns.
     fn smallest_eigenvalue(&mut self) -> f64 {
-        let n = self.matrix.rows();
-        let root = |row: usize| self.matrix.get(row, row).map_or(1.0, |d| d.abs().sqrt());
-        let roots: Vec<f64> = (0..n).map(root).collect();
+        let roots: Vec<f64> = self.matrix.diagonal().iter().map(|d| d.abs().sqrt()).collect();
         let scale = |v: &mut [f64]| v.iter_mut().zip(&roots).for_each(|(v, root)| *v *= root);
-        let (mut v, mut y) = (noise(n, 3), vec![0.0; n]);
+        let mut v = noise(roots.len(), 3);
         let mut smallest = f64::INFINITY;
         for _ in 0..INVERSE_STEPS {
             let size = norm(&v);
             v.iter_mut().for_each(|v| *v /= size);
             scale(&mut v);
-            self.solve(&v, &mut y);
-            scale(&mut y);
-            smallest = 1.0 / norm(&y);
-            std::mem::swap(&mut v, &mut y);
+            self.apply_factor(&mut v);
+            scale(&mut v);
+            smallest = 1.0 / norm(&v);
         }
-        if n == 0 { f64::INFINITY } else { smallest }
+        if roots.is_empty() { f64::INFINITY } else { smallest }
     }
 
     /// The elimination order, for another matrix; not that of LU, the fallback.

@@ -18,6 +18,10 @@ pub trait Nodal: Copy + Debug + Default + PartialEq + Send + Sync + 'static {
     fn from_fn(number: impl FnMut(usize) -> f64) -> Self;
     /// Its number `k`.
     fn at(&self, k: usize) -> Self::Real;
+    /// A vector from its numbers, row by row, each rounded; what is left of a row is dropped.
+    fn from_flat(numbers: &[f64]) -> Vec<Self> {
+        numbers.chunks_exact(Self::SIZE).map(|row| Self::from_fn(|k| row[k])).collect()
+    }
     /// All numbers of a vector, row by row.
     fn flat(values: &[Self]) -> &[Self::Real];
     /// All numbers of a vector, row by row.

@@ -62,9 +62,10 @@ pub(super) fn solve_in_turn<E: Unknown>(
     let (mut first, mut all) = (None, Vec::new());
     for (index, &prolongations) in options.prolongation.iter().enumerate() {
         let what = format!("{prolongations} prolongation");
+        let chosen = options.with(prolongations);
         let (values, figures) = context.step(index + 2, steps, &what, || {
             let solve = || {
-                let mut solver = discrete.solver(&options.with(prolongations))?;
+                let mut solver = discrete.solver(&chosen)?;
                 let tell = |iteration: usize, residual: f64| {
                     let note = format!("iteration {iteration}, residual {residual:.1e}");
                     context.tell(Event::Note(note));
@@ -78,8 +79,7 @@ pub(super) fn solve_in_turn<E: Unknown>(
             let inside = is_inside(&discrete.hierarchy.finest().mesh);
             let inside = solution.values.iter().zip(inside).filter(|(_, inside)| *inside);
             let range = range(inside.map(|(value, _)| magnitude(value)));
-            let options_of_this = options.with(prolongations);
-            let mut figures = SolveFigures::new(&options_of_this, &solver, &solution, range);
+            let mut figures = SolveFigures::new(&chosen, &solver, &solution, range);
             figures.account = options.account.then(|| solver.multigrid.traffic(REPEATS).into());
             let result = figures.result();
             Ok::<_, Error>(((solution.values, figures), result))
@@ -102,7 +102,7 @@ fn failed<E: Unknown>(
     context: &Context,
 ) -> Error {
     let Some(at) = source.unfinished() else { return context.solver(what, source) };
-    match discrete.expand(&of_rows(&at.iterate)) {
+    match discrete.expand(&E::Nodal::from_flat(&at.iterate)) {
         Ok(mut values) => {
             let mesh = &discrete.hierarchy.finest().mesh;
             blank_outside(&mut values, mesh, E::Nodal::from_fn(|_| f64::NAN));
@@ -119,11 +119,6 @@ fn field_of(equation: Equation, numbers: &[f64]) -> Field {
         Equation::Poisson | Equation::Biharmonic => Field::scalar("solution", numbers.to_vec()),
         Equation::Elasticity => Field::new("displacement", 3, Values::Float(numbers.to_vec())),
     }
-}
-
-/// A vector from its numbers, row by row.
-fn of_rows<V: Nodal<Real = f64>>(numbers: &[f64]) -> Vec<V> {
-    numbers.chunks_exact(V::SIZE).map(|row| V::from_fn(|k| row[k])).collect()
 }
 
 /// The least and the greatest value; NaN is passed over.

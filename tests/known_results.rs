@@ -39,7 +39,7 @@ fn nafems_t4_has_its_target_at_e() {
     // Through the thickness of one tet, halved three times.
     assert_eq!(found.len(), 9);
     // The series; published as 18.3.
-    let (exact, mean) = (18.2538, found.iter().sum::<f64>() / 9.0);
+    let (exact, mean) = (18.2538_f64, found.iter().sum::<f64>() / 9.0);
     assert!((mean - exact).abs() < 0.001 * exact, "{mean}");
     assert!(found.iter().all(|value| (value - exact).abs() < 0.002 * exact), "{found:?}");
 }

@@ -6,7 +6,8 @@
 //! ```
 //!
 //! MESH is a mesh file or `cube:N`, N³ cells of six tets each; PROBLEM is `poisson` or
-//! `elasticity`; PROLONGATION is `linear` or `box-spline`.
+//! `elasticity`; PROLONGATION is `linear` or `box-spline`. With 0 LEVELS there is nothing to prolong
+//! between, and the matrix is all that is written.
 
 mod arrays;
 mod memory;

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Solve the same systems by Octruss, BoomerAMG, GAMG and PyAMG; print a table in Markdown.
 
-Usage: python3 benches/peers/solvers.py [--size small|large|all] [--repeats N]
+Usage: python3 benches/peers/solvers.py [--size small|large|unrefined|all] [--repeats N]
 
 Every solver reads the same files (matrix, right-hand side, positions; ours its prolongations,
 too) in a process of its own, and solves by preconditioned conjugate gradients from zero until
@@ -11,11 +11,14 @@ are not timed. Memory is the most that setting up and solving held, the fine mat
 less what the process held before it read a byte; of ranks the sum. Our set-up includes making
 the prolongations from the refined meshes; their memory counts as well.
 
+The size `unrefined` is a mesh as a mesher makes it, which no level lies below: all solvers have
+the matrix alone (and positions, for the rigid-body modes). Gmsh makes that mesh once.
+
 Figures go to target/peers/solvers.json. Large systems need 12 GB of memory, 6 GB of disk and
 about a quarter of an hour. A peer that is missing is left out with a message. On Debian:
 
     apt-get install python3-petsc4py python3-petsc4py-real openmpi-bin
-    python3 -m venv target/peers/venv && target/peers/venv/bin/pip install pyamg
+    python3 -m venv target/peers/venv && target/peers/venv/bin/pip install pyamg gmsh
 
 PETSC_PYTHON and PYAMG_PYTHON name other interpreters than /usr/bin/python3 and that of the venv.
 """
@@ -34,6 +37,9 @@ ROOT = HERE.parents[1]
 OUTPUT = ROOT / "target" / "peers"
 OURS = ROOT / "target" / "release" / "examples" / "octruss-peer"
 BRACKET = ROOT / "examples" / "meshes" / "bracket.msh"
+# Of the sizes that the geometry asks for, 0.055 gives 104,008 vertices and 552,307 tets.
+UNREFINED_GEOMETRY, UNREFINED_FACTOR = ROOT / "examples" / "meshes" / "l-bracket.geo", 0.055
+UNREFINED = OUTPUT / "l-bracket.msh"
 PETSC_PYTHON = os.environ.get("PETSC_PYTHON", "/usr/bin/python3")
 PYAMG_PYTHON = os.environ.get("PYAMG_PYTHON", str(OUTPUT / "venv" / "bin" / "python"))
 THREADS = 2
@@ -55,12 +61,18 @@ CASES = [
     ("bracket", "poisson", {"small": (BRACKET, 3), "large": (BRACKET, 4)}),
     ("cube", "elasticity", {"small": ("cube:4", 3), "large": ("cube:9", 3)}),
     ("bracket", "elasticity", {"small": (BRACKET, 2), "large": (BRACKET, 3)}),
+    ("l-bracket", "poisson", {"unrefined": (UNREFINED, 0)}),
+    ("l-bracket", "elasticity", {"unrefined": (UNREFINED, 0)}),
 ]
-LINEAR, BOX_SPLINE = "Octruss, linear", "Octruss, box-spline"
+SIZES = ["small", "large", "unrefined"]
+LINEAR, BOX_SPLINE, WITHOUT_LEVELS = "Octruss, linear", "Octruss, box-spline", "Octruss"
+# Ours: the scheme that prolongs. Without levels there is nothing to prolong between.
+OURS_BY_LEVELS = {LINEAR: "linear", BOX_SPLINE: "box-spline"}
+OURS_WITHOUT_LEVELS = {WITHOUT_LEVELS: "linear"}
 # Each peer: what is called, how to see whether it is there, and how to get it.
 MPI = ["mpirun", "-n", str(THREADS), "--use-hwthread-cpus", PETSC_PYTHON, HERE / "petsc_peer.py"]
 PETSC_HINT = "apt-get install python3-petsc4py python3-petsc4py-real openmpi-bin"
-PYAMG_HINT = f"python3 -m venv {OUTPUT / 'venv'} && {PYAMG_PYTHON} -m pip install pyamg"
+PYAMG_HINT = f"python3 -m venv {OUTPUT / 'venv'} && {PYAMG_PYTHON} -m pip install pyamg gmsh"
 PEERS = {
     "BoomerAMG": (lambda folder: [*MPI, folder, "boomeramg"], [*MPI, "--check"], PETSC_HINT),
     "GAMG": (lambda folder: [*MPI, folder, "gamg"], [*MPI, "--check"], PETSC_HINT),
@@ -103,12 +115,9 @@ def figures(command):
     return json.loads(done.stdout.splitlines()[-1])
 
 
-def solvers():
-    """The command of each solver that is there, for a folder."""
-    found = {
-        LINEAR: lambda folder: [OURS, "solve", folder, "linear"],
-        BOX_SPLINE: lambda folder: [OURS, "solve", folder, "box-spline"],
-    }
+def peers():
+    """The command of each peer that is there, for a folder."""
+    found = {}
     for name, (command, check, hint) in PEERS.items():
         if works(check):
             found[name] = command
@@ -117,19 +126,32 @@ def solvers():
     return found
 
 
+def make_unrefined():
+    """Let Gmsh make the mesh that is not refined, unless it is there."""
+    if not UNREFINED.exists():
+        program = HERE / "unrefined_mesh.py"
+        subprocess.run([PYAMG_PYTHON, program, UNREFINED_GEOMETRY, str(UNREFINED_FACTOR), UNREFINED], check=True)
+
+
 def measure(case, commands, repeats):
-    """The medians of all solvers on one system, written to a folder for the while."""
+    """The medians of ours and the peers on one system, written to a folder for the while."""
     body, problem, mesh, levels = case
     folder = OUTPUT / "system"
+    ours = OURS_BY_LEVELS if levels else OURS_WITHOUT_LEVELS
+    if mesh == UNREFINED:
+        make_unrefined()
     subprocess.run([*REAL_TIME, OURS, "write", str(mesh), problem, str(levels), folder], check=True)
+    commands = {name: [OURS, "solve", folder, scheme] for name, scheme in ours.items()} | {
+        name: command(folder) for name, command in commands.items()
+    }
     runs = {name: [] for name in commands}
     for _ in range(repeats):
         for name, command in commands.items():
-            runs[name].append(figures(command(folder)))
+            runs[name].append(figures(command))
     made = {p["name"]: p for p in json.loads((folder / "system.json").read_text())["prolongations"]}
     shutil.rmtree(folder)
     result = {name: medians(all_runs) for name, all_runs in runs.items()}
-    for name, scheme in ((LINEAR, "linear"), (BOX_SPLINE, "box-spline")):
+    for name, scheme in ours.items():
         result[name]["setup_seconds"] += made[scheme]["seconds"]
         result[name]["affine_defect"] = made[scheme]["affine_defect"]
     check_same(result, f"{body}, {problem}")
@@ -148,7 +170,7 @@ def medians(runs):
 
 def check_same(result, case):
     """All must have reached the goal, and the same solution."""
-    norm = result[LINEAR]["solution_norm"]
+    norm = reference(result)["solution_norm"]
     for name, got in result.items():
         if not got["relative_residual"] <= 1.01e-8:
             print(f"{case}: {name} ended at a residual of {got['relative_residual']:.1e}", file=sys.stderr)
@@ -156,17 +178,31 @@ def check_same(result, case):
             raise SystemExit(f"{case}: {name} solved another system than Octruss")
 
 
+def reference(result):
+    """Our first column."""
+    return next(iter(result.values()))
+
+
 def total(got):
     return got["setup_seconds"] + got["solve_seconds"]
 
 
+def print_tables(results):
+    """One table of the refined systems, one of those that are not, where there are any."""
+    for unrefined in (False, True):
+        chosen = {case: result for case, result in results.items() if (WITHOUT_LEVELS in result) == unrefined}
+        if chosen:
+            print_table(chosen)
+            print()
+
+
 def print_table(results):
     """A row for each system, a column for each solver."""
-    names = list(next(iter(results.values())))
+    names = list(reference(results))
     print("| set-up + solve in s, iterations, peak in MB |", " | ".join(names), "|")
     print("|", " | ".join(["---"] * (len(names) + 1)), "|")
     for (body, problem, _), result in results.items():
-        cells = [f"{problem.capitalize()}, {body}, {result[LINEAR]['unknowns']:,} unknowns"]
+        cells = [f"{problem.capitalize()}, {body}, {reference(result)['unknowns']:,} unknowns"]
         for got in result.values():
             seconds = f"{got['setup_seconds']:.2f} + {got['solve_seconds']:.2f}"
             cells.append(f"{seconds}, {got['iterations']:.0f}, {got['peak_bytes'] / 1e6:,.0f}")
@@ -206,27 +242,26 @@ def main():
     parser = argparse.ArgumentParser(
         description=summary, epilog=description, formatter_class=argparse.RawDescriptionHelpFormatter
     )
-    parser.add_argument("--size", choices=["small", "large", "all"], default="small")
+    parser.add_argument("--size", choices=[*SIZES, "all"], default="small")
     parser.add_argument("--repeats", type=int, default=3)
     arguments = parser.parse_args()
-    sizes = ["small", "large"] if arguments.size == "all" else [arguments.size]
+    sizes = SIZES if arguments.size == "all" else [arguments.size]
     OUTPUT.mkdir(parents=True, exist_ok=True)
     build = ["cargo", "build", "--release", "--locked", "--example", OURS.name]
     subprocess.run(build, cwd=ROOT, check=True)
-    commands = solvers()
+    commands = peers()
     results = {}
     for size in sizes:
-        for body, problem, meshes in CASES:
+        for body, problem, meshes in (case for case in CASES if size in case[2]):
             print(f"{body}, {problem}, {size} ...", file=sys.stderr)
             results[body, problem, size] = measure((body, problem, *meshes[size]), commands, arguments.repeats)
     named = {", ".join(case): result for case, result in results.items()}
     (OUTPUT / "solvers.json").write_text(json.dumps(named, indent=1))
-    copies = [result[LINEAR]["copy_bytes_per_second"] for result in results.values()]
+    copies = [reference(result)["copy_bytes_per_second"] for result in results.values()]
     versions = {got["version"] for result in results.values() for got in result.values() if "version" in got}
     print(f"Medians of {arguments.repeats}; memory copied at {statistics.median(copies) / 1e9:.1f} GB/s.", end=" ")
     print(f"{'Real-time' if REAL_TIME else 'Ordinary'} priority. {', '.join(sorted(versions))}.\n")
-    print_table(results)
-    print()
+    print_tables(results)
     print_targets(results)
 
 

@@ -12,8 +12,8 @@ use octruss_mesh::{
     Scheme, Step, TetMesh, check, guard::usual_floor, shapes,
 };
 use octruss_solver::{
-    Csr, DiagonalKind, Multigrid, MultigridOptions, Nodal, Precision, Smoother, SolveOptions,
-    SystemEntry, Transfer, conjugate_gradients, noise,
+    Csr, DiagonalKind, Multigrid, MultigridOptions, NearNullSpace, Nodal, Precision, Smoother,
+    SolveOptions, SystemEntry, Transfer, conjugate_gradients, noise,
 };
 
 /// V(1,1) with Gauss–Seidel, by blocks where there are blocks, in double precision.
@@ -23,7 +23,7 @@ const V11: MultigridOptions = MultigridOptions {
     shape: octruss_solver::CycleShape::V,
     before: 1,
     after: 1,
-    precision: Precision::Double,
+    precision: Some(Precision::Double),
 };
 
 const V22: MultigridOptions = MultigridOptions { before: 2, after: 2, ..V11 };
@@ -130,7 +130,14 @@ impl<E: SystemEntry> Study<E> {
             }
         };
         let transfers = (0..self.hierarchy.transfers()).map(transfer).collect();
-        Multigrid::with_transfers(&self.matrix, transfers, self.projectors.clone(), cycle).unwrap()
+        Multigrid::with_transfers(
+            &self.matrix,
+            transfers,
+            self.projectors.clone(),
+            NearNullSpace::Constants,
+            cycle,
+        )
+        .unwrap()
     }
 
     /// Iterations of conjugate gradients to 1e-8 for noise on the right.
@@ -145,8 +152,9 @@ impl<E: SystemEntry> Study<E> {
     /// The same, where a cycle in single precision takes as many, or one more or less.
     fn iterations(&self, variant: impl Into<Variant>, cycle: &MultigridOptions) -> usize {
         let variant = variant.into();
-        let counts = [Precision::Double, Precision::Single]
-            .map(|precision| self.count(variant, &MultigridOptions { precision, ..*cycle }));
+        let counts = [Precision::Double, Precision::Single].map(|precision| {
+            self.count(variant, &MultigridOptions { precision: Some(precision), ..*cycle })
+        });
         assert!(counts[0].abs_diff(counts[1]) <= 1, "single precision: {counts:?}");
         counts[0]
     }

@@ -5,7 +5,8 @@ use crate::memory;
 use crate::system_files::{Description, array, read_matrix};
 use anyhow::{Context, Result};
 use octruss_solver::{
-    Csr, Multigrid, MultigridOptions, Nodal, SolveOptions, SystemEntry, conjugate_gradients, norm,
+    Csr, Multigrid, MultigridOptions, NearNullSpace, Nodal, SolveOptions, SystemEntry, Transfer,
+    conjugate_gradients, norm,
 };
 use serde_json::{Value, json};
 use std::fs;
@@ -42,10 +43,13 @@ fn solve_entries<E: SystemEntry>(
         // The files have the finest first.
         .rev()
         .map(|(number, &columns)| read_matrix(folder, &format!("{prolongation}.{number}"), columns))
-        .collect::<Result<_>>()?;
+        .collect::<Result<Vec<Csr<f64>>>>()?;
+    let transfers: Vec<_> = prolongations.into_iter().map(Transfer::from).collect();
+    let projectors = vec![Vec::new(); transfers.len() + 1];
+    let below = near_null_space(folder, E::SIZE)?;
     memory::forget_peak()?;
     let options = MultigridOptions::default();
-    let mut multigrid = Multigrid::new(&matrix, prolongations, &options)?;
+    let mut multigrid = Multigrid::with_transfers(&matrix, transfers, projectors, below, &options)?;
     let after_setup = memory::peak()?;
     let stop = SolveOptions::default();
     let (x, report) = conjugate_gradients(&matrix, &rhs, &mut multigrid, &stop)?;
@@ -63,4 +67,13 @@ fn solve_entries<E: SystemEntry>(
         "level_bytes": multigrid.bytes(),
         "copy_bytes_per_second": multigrid.traffic(COPIES).copy_bandwidth,
     }))
+}
+
+/// What the levels below the coarsest written one carry.
+fn near_null_space(folder: &Path, size: usize) -> Result<NearNullSpace> {
+    if size == 1 {
+        return Ok(NearNullSpace::Constants);
+    }
+    let numbers = arrays::read::<f64>(&array(folder, "coarsest-points"))?;
+    Ok(NearNullSpace::RigidMotions(numbers.as_chunks().0.to_vec()))
 }

@@ -1,6 +1,7 @@
 //! The files of a system, in one folder.
 //!
-//! `system.json`; `rhs.npy`; `points.npy`, the position of each row; and of the matrix
+//! `system.json`; `rhs.npy`; `points.npy`, the position of each row, and
+//! `coarsest-points.npy`, of each row of the coarsest level; and of the matrix
 //! and each prolongation, finest first, the three arrays of compressed sparse rows:
 //! `matrix.offsets.npy`, `matrix.indices.npy`, `matrix.values.npy`, and so on.
 

@@ -62,9 +62,14 @@ fn elasticity(hierarchy: &Hierarchy, folder: &Path) -> Result<()> {
 fn write_all<E: Unknown>(system: &Discretisation<E>, folder: &Path) -> Result<()> {
     write_matrix(folder, "matrix", &system.matrix)?;
     arrays::write(&array(folder, "rhs"), Nodal::flat(&system.rhs).iter().copied())?;
-    let (points, free) = (system.hierarchy.finest().mesh.points(), system.finest().dofs.free());
-    let points: Vec<[f64; 3]> = free.iter().map(|&vertex| points[vertex as usize]).collect();
-    arrays::write(&array(folder, "points"), points.as_flattened().iter().copied())?;
+    for (name, level, unknowns) in [
+        ("points", system.hierarchy.finest(), system.finest()),
+        ("coarsest-points", system.hierarchy.coarsest(), &system.levels[0]),
+    ] {
+        let free = unknowns.dofs.free().iter();
+        let positions: Vec<_> = free.map(|&vertex| level.mesh.points()[vertex as usize]).collect();
+        arrays::write(&array(folder, name), positions.as_flattened().iter().copied())?;
+    }
     let prolongations = [Scheme::Linear, Scheme::BoxSpline]
         .map(|scheme| write_prolongations(system, scheme, folder))
         .into_iter()
@@ -82,7 +87,7 @@ fn write_prolongations<E: Unknown>(
     folder: &Path,
 ) -> Result<Prolongation> {
     let start = Instant::now();
-    let options = Options { prolongation: scheme.into(), ..Options::default() };
+    let options = Options { prolongation: Some(scheme.into()), ..Options::default() };
     let transfers = system.transfers(&options)?;
     let seconds = start.elapsed().as_secs_f64();
     let summaries = system.transfer_summaries(&options);

@@ -45,7 +45,7 @@ impl Cube {
         };
         let prolongations = (0..level).map(prolongation).collect();
         let options = MultigridOptions {
-            precision: Precision::Double,
+            precision: Some(Precision::Double),
             before: 2,
             after: 2,
             ..Default::default()

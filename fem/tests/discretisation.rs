@@ -31,7 +31,7 @@ fn whatever_the_options_the_solution_is_that_of_the_direct_solver() {
     let full = Options { cycle: Some(Cycle::Full), ..Options::default() };
     for options in [
         Options::default(),
-        Options { prolongation: Scheme::Linear.into(), ..Options::default() },
+        Options { prolongation: Some(Scheme::Linear.into()), ..Options::default() },
         Options { coarse_operator: CoarseOperator::Reassembled, ..Options::default() },
         full,
         Options { full_transfer: Some(FullTransfer::Linear), ..full },

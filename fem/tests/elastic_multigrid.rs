@@ -15,7 +15,7 @@ const GAUSS_SEIDEL: MultigridOptions = MultigridOptions {
     shape: CycleShape::V,
     before: 1,
     after: 1,
-    precision: Precision::Double,
+    precision: Some(Precision::Double),
 };
 
 /// The unit cube, clamped at x = 0, on 2³ cells refined three times: 13,872 unknowns.
@@ -54,9 +54,9 @@ fn the_cube_takes_the_measured_iterations() {
         assert!(counts[0] <= bounds[0] && counts[1] <= bounds[1], "{scheme:?}: {counts:?}");
         for options in [GAUSS_SEIDEL, MultigridOptions::default()] {
             let precise =
-                solve(&cube, &MultigridOptions { precision: Precision::Double, ..options });
+                solve(&cube, &MultigridOptions { precision: Some(Precision::Double), ..options });
             let single =
-                solve(&cube, &MultigridOptions { precision: Precision::Single, ..options });
+                solve(&cube, &MultigridOptions { precision: Some(Precision::Single), ..options });
             let counts = [precise, single].map(|solved| solved.1.iterations);
             assert!(counts[0].abs_diff(counts[1]) <= 1, "{scheme:?}: {counts:?}");
         }
@@ -89,7 +89,7 @@ fn auto_sweeps_by_domains_where_blocks_are_solved() {
 #[test]
 fn every_smoother_and_shape_converges() {
     let cube = cube(Scheme::Linear);
-    let double = MultigridOptions { precision: Precision::Double, ..Default::default() };
+    let double = MultigridOptions { precision: Some(Precision::Double), ..Default::default() };
     let with = |smoother| MultigridOptions { smoother: Some(smoother), ..double };
     let chebyshev = |degree| with(Smoother::Chebyshev { degree, lower: 0.1 });
     let choices = [
@@ -214,8 +214,14 @@ fn smoothed_prolongation_respects_constrained_directions() {
             .map(|prolongation| Transfer { smooth, ..Transfer::from(prolongation.clone()) });
         let (transfers, projectors) = (transfers.collect(), body.projectors.clone());
         let options = MultigridOptions { before: 2, after: 2, ..GAUSS_SEIDEL };
-        let mut multigrid =
-            Multigrid::with_transfers(&body.matrix, transfers, projectors, &options).unwrap();
+        let mut multigrid = Multigrid::with_transfers(
+            &body.matrix,
+            transfers,
+            projectors,
+            NearNullSpace::Constants,
+            &options,
+        )
+        .unwrap();
         let goal = SolveOptions::default();
         let rhs = right_side(&body);
         let (x, report) = conjugate_gradients(&body.matrix, &rhs, &mut multigrid, &goal).unwrap();

@@ -40,7 +40,7 @@ fn a_cube_on_soft_springs_is_stretched_by_one_over_its_modulus() {
             traction: vec![(X0, vector([-1.0, 0.0, 0.0])), (X1, vector([1.0, 0.0, 0.0]))],
             ..Elasticity::new(Material::new(young, 0.3))
         };
-        let options = Options { prolongation: Scheme::Linear.into(), ..Options::default() };
+        let options = Options { prolongation: Some(Scheme::Linear.into()), ..Options::default() };
         let cube = Discretisation::new(&hierarchy, &problem, &options).unwrap();
         let u = cube.solve(&options).unwrap().values;
         let points = hierarchy.finest().mesh.points();

@@ -90,7 +90,7 @@ fn box_spline_prolongation_reduces_more_a_cycle() {
         smoother: Some(Smoother::GaussSeidel),
         before: 2,
         after: 2,
-        precision: Precision::Double,
+        precision: Some(Precision::Double),
         ..MultigridOptions::default()
     };
     let reductions = [Scheme::Linear, Scheme::BoxSpline]
@@ -145,7 +145,7 @@ fn solutions_have_the_same_bits_for_any_number_of_threads() {
 fn v11() -> MultigridOptions {
     MultigridOptions {
         smoother: Some(Smoother::GaussSeidel),
-        precision: Precision::Double,
+        precision: Some(Precision::Double),
         ..MultigridOptions::default()
     }
 }
@@ -192,7 +192,7 @@ fn single_precision_changes_no_count_by_more_than_one() {
             Smoother::L1Jacobi,
         ] {
             for shape in [CycleShape::V, CycleShape::W] {
-                let counts = [Precision::Single, Precision::Double].map(|precision| {
+                let counts = [Some(Precision::Single), Some(Precision::Double)].map(|precision| {
                     let options =
                         MultigridOptions { smoother: Some(smoother), shape, precision, ..v11() };
                     cube.iterations(&options)
@@ -214,7 +214,7 @@ fn sweeps_by_domains_converge_on_every_level_and_count_what_they_do() {
             let cube = cube(refinements, scheme);
             let counts = [hybrid, v22].map(|options| cube.iterations(&options));
             assert!(counts[0] <= bounds[0] && counts[1] <= bounds[1], "{scheme:?}: {counts:?}");
-            let single = MultigridOptions { precision: Precision::Single, ..hybrid };
+            let single = MultigridOptions { precision: Some(Precision::Single), ..hybrid };
             assert!(cube.iterations(&single).abs_diff(counts[0]) <= 1);
         }
     }
@@ -283,7 +283,7 @@ fn full_multigrid_ratio(
 fn one_full_multigrid_cycle_reaches_the_discretisation_with_box_splines() {
     // A prototype measured 1.16 (linear transfer), 1.10 (quadratic) and 1.33 (box-spline)
     // on the finest level, 1.29 at most.
-    let single = MultigridOptions { precision: Precision::Single, ..v11() };
+    let single = MultigridOptions { precision: Some(Precision::Single), ..v11() };
     for level in 1..=4 {
         let spline = cube(level, Scheme::BoxSpline);
         let ratio = |carrier| full_multigrid_ratio(&spline, carrier, (&v11(), 1));
@@ -317,7 +317,7 @@ fn one_full_multigrid_cycle_does_not_with_linear_prolongation() {
 #[test]
 fn a_direct_solve_reduces_to_nothing_and_not_to_nonsense() {
     let one = Csr::new(1, vec![0, 1], vec![0], vec![2.0]).unwrap();
-    let double = MultigridOptions { precision: Precision::Double, ..Default::default() };
+    let double = MultigridOptions { precision: Some(Precision::Double), ..Default::default() };
     let mut direct = Multigrid::new(&one, vec![], &double).unwrap();
     assert_eq!(reductions(&one, &mut direct, 5).unwrap(), [0.0; 5]);
 }
@@ -363,10 +363,10 @@ fn an_updated_multigrid_is_that_built_anew_to_the_last_bit() {
         let Level { mesh, topology, .. } = cube.hierarchy.finest();
         let other = assemble(mesh, topology, &problem).unwrap().matrix;
         for (smoother, precision) in [
-            (Smoother::CHEBYSHEV, Precision::Single),
-            (Smoother::HybridGaussSeidel, Precision::Single),
-            (Smoother::ColouredGaussSeidel, Precision::Double),
-            (Smoother::L1Jacobi, Precision::Single),
+            (Smoother::CHEBYSHEV, Some(Precision::Single)),
+            (Smoother::HybridGaussSeidel, Some(Precision::Single)),
+            (Smoother::ColouredGaussSeidel, Some(Precision::Double)),
+            (Smoother::L1Jacobi, Some(Precision::Single)),
         ] {
             let options =
                 MultigridOptions { smoother: Some(smoother), precision, ..Default::default() };

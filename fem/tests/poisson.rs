@@ -11,7 +11,7 @@ use octruss_solver::*;
 
 fn solve(mesh: &TetMesh, problem: &Poisson) -> Vec<f64> {
     let system = assemble(mesh, &Topology::new(mesh.raw()), problem).unwrap();
-    let options = MultigridOptions { precision: Precision::Double, ..Default::default() };
+    let options = MultigridOptions { precision: Some(Precision::Double), ..Default::default() };
     let mut direct = Multigrid::new(&system.matrix, vec![], &options).unwrap();
     let goal = SolveOptions { tolerance: 1e-13, ..SolveOptions::default() };
     let (x, _) = conjugate_gradients(&system.matrix, &system.rhs, &mut direct, &goal).unwrap();

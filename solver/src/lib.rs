@@ -45,7 +45,8 @@ pub use krylov::iteration::{EachIteration, SolveOptions};
 pub use krylov::operator::Operator;
 pub use krylov::preconditioner::{Identity, Preconditioner};
 pub use krylov::stationary::{geometric_mean, mean_reduction, reductions, stationary_iteration};
-pub use multigrid::figures::summary::LevelSummary;
+pub use multigrid::aggregation::near_null_space::NearNullSpace;
+pub use multigrid::figures::summary::{LevelOrigin, LevelSummary};
 pub use multigrid::figures::traffic::{KernelTraffic, Traffic};
 pub use multigrid::galerkin::galerkin;
 pub use multigrid::options::{
@@ -55,7 +56,7 @@ pub use multigrid::projectors::project;
 pub use multigrid::setup::Multigrid;
 pub use multigrid::system_entry::SystemEntry;
 pub use multigrid::transfer::Transfer;
-pub use report::{SolveReport, Unfinished};
+pub use report::{Ended, SolveReport, Unfinished};
 pub use sparse::backward_error::backward_error;
 pub use sparse::csr::Csr;
 pub use sparse::dot::{dot, norm};

@@ -5,9 +5,10 @@ use crate::discretisation::problem::{Assembled, Problem};
 use crate::discretisation::unknown::Unknown;
 use crate::error::Error;
 use crate::options::choices::Cycle;
+use crate::options::prolongations::Prolongations;
 use crate::options::solving::Options;
-use octruss_mesh::Hierarchy;
-use octruss_solver::{Csr, Multigrid, SolveOptions, conjugate_gradients};
+use octruss_mesh::{Hierarchy, Level};
+use octruss_solver::{Csr, Multigrid, NearNullSpace, SolveOptions, conjugate_gradients};
 use std::time::Instant;
 
 /// A problem on a hierarchy: the matrix and the right-hand side of the finest level, and
@@ -47,6 +48,8 @@ pub struct Discretisation<'h, E: Unknown = f64> {
     pub coarse_matrices: Vec<Csr<E>>,
     /// The time that assembling them took.
     pub reassembly_seconds: f64,
+    /// What prolongs where options leave it open.
+    pub usual_prolongation: Prolongations,
     /// The solution of the coarsest level's own problem, where full multigrid needs
     /// one: with it the lift of prescribed values begins.
     pub(crate) coarsest: Option<Vec<E::Nodal>>,
@@ -80,7 +83,10 @@ impl<'h, E: Unknown> Discretisation<'h, E> {
         let lifts =
             options.cycle() == Cycle::Full && !levels.iter().all(LevelUnknowns::is_homogeneous);
         let coarsest = lifts
-            .then(|| solve_directly(problem.assemble(hierarchy.coarsest())?, options))
+            .then(|| {
+                let coarsest = hierarchy.coarsest();
+                solve_coarsest(problem.assemble(coarsest)?, (coarsest, &levels[0]), options)
+            })
             .transpose()?;
         let reassembly_seconds = seconds;
         Ok(Self {
@@ -91,6 +97,7 @@ impl<'h, E: Unknown> Discretisation<'h, E> {
             levels,
             coarse_matrices,
             reassembly_seconds,
+            usual_prolongation: problem.usual_prolongation(hierarchy),
             coarsest,
         })
     }
@@ -108,6 +115,12 @@ impl<'h, E: Unknown> Discretisation<'h, E> {
         E::SIZE * self.finest().dofs.unknowns()
     }
 
+    /// What the levels below the coarsest mesh carry: motions of its vertices that have no
+    /// energy where nothing is held.
+    pub fn near_null_space(&self) -> NearNullSpace {
+        near_null_space(self.hierarchy.coarsest(), &self.levels[0])
+    }
+
     /// A value for each vertex of the finest level from the unknowns.
     ///
     /// # Errors
@@ -122,14 +135,21 @@ impl<'h, E: Unknown> Discretisation<'h, E> {
     }
 }
 
-/// The solution on one level. A multigrid without transfers is the direct solver; conjugate
-/// gradients round it look at the residual, and mend what is lost to rounding.
-fn solve_directly<E: Unknown>(
+fn near_null_space<E: Unknown>(level: &Level, unknowns: &LevelUnknowns<E>) -> NearNullSpace {
+    let position = |&vertex: &u32| level.mesh.points()[vertex as usize];
+    E::near_null_space(unknowns.dofs.free().iter().map(position).collect())
+}
+
+/// The solution on the coarsest mesh.
+fn solve_coarsest<E: Unknown>(
     system: Assembled<E>,
+    (level, unknowns): (&Level, &LevelUnknowns<E>),
     options: &Options,
 ) -> Result<Vec<E::Nodal>, Error> {
     let Assembled { matrix, rhs, .. } = system;
-    let mut direct = Multigrid::new(&matrix, Vec::new(), &options.multigrid())?;
-    let (x, _) = conjugate_gradients(&matrix, &rhs, &mut direct, &SolveOptions::default())?;
+    let (projectors, below) = (vec![unknowns.projectors.clone()], near_null_space(level, unknowns));
+    let cycle = options.multigrid();
+    let mut multigrid = Multigrid::with_transfers(&matrix, Vec::new(), projectors, below, &cycle)?;
+    let (x, _) = conjugate_gradients(&matrix, &rhs, &mut multigrid, &SolveOptions::default())?;
     Ok(x)
 }

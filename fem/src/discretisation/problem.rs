@@ -7,10 +7,11 @@ use crate::boundary::constraints::Constraints;
 use crate::boundary::dofs::Dofs;
 use crate::discretisation::unknown::Unknown;
 use crate::error::Error;
+use crate::options::prolongations::Prolongations;
 use crate::problem::biharmonic::Biharmonic;
 use crate::problem::elasticity::Elasticity;
 use crate::problem::poisson::Poisson;
-use octruss_mesh::Level;
+use octruss_mesh::{Hierarchy, Level, Scheme};
 use octruss_solver::Csr;
 
 /// An equation with its data, on any level of a hierarchy.
@@ -23,6 +24,9 @@ pub trait Problem {
     /// # Errors
     /// As assembling, about what is prescribed.
     fn constraints(&self, level: &Level) -> Result<Constrained<Self>, Error>;
+
+    /// The prolongation that solves it in the least time, as docs/prolongation.md measures.
+    fn usual_prolongation(&self, hierarchy: &Hierarchy) -> Prolongations;
 
     /// Matrix and right-hand side on a level.
     ///
@@ -63,6 +67,11 @@ impl Problem for Poisson {
         Dofs::new(&level.mesh, &self.fixed)
     }
 
+    /// Linear: wider rows save few iterations and cost more.
+    fn usual_prolongation(&self, _: &Hierarchy) -> Prolongations {
+        Scheme::Linear.into()
+    }
+
     fn assemble(&self, level: &Level) -> Result<Assembled<f64>, Error> {
         assemble(&level.mesh, &level.topology, self).map(Assembled::from)
     }
@@ -75,6 +84,11 @@ impl Problem for Biharmonic {
         Dofs::new(&level.mesh, &self.fixed)
     }
 
+    /// Box splines: linear interpolation loses ground with every level.
+    fn usual_prolongation(&self, _: &Hierarchy) -> Prolongations {
+        Scheme::BoxSpline.into()
+    }
+
     fn assemble(&self, level: &Level) -> Result<Assembled<f64>, Error> {
         assemble_biharmonic(&level.mesh, &level.topology, self).map(Assembled::from)
     }
@@ -85,6 +99,14 @@ impl Problem for Elasticity {
 
     fn constraints(&self, level: &Level) -> Result<Constraints, Error> {
         Constraints::new(&level.mesh, &level.topology, &self.supports)
+    }
+
+    /// Box splines where a smooth scheme shaped the body, since linear interpolation does not
+    /// reproduce rotations there; linear on flat refinements, where it does.
+    fn usual_prolongation(&self, hierarchy: &Hierarchy) -> Prolongations {
+        let is_flat = hierarchy.refinements().all(|made| made.scheme == Scheme::Linear);
+        let scheme = if is_flat { Scheme::Linear } else { Scheme::BoxSpline };
+        scheme.into()
     }
 
     fn assemble(&self, level: &Level) -> Result<Assembled<[[f64; 3]; 3]>, Error> {

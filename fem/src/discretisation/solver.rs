@@ -8,9 +8,12 @@ use crate::discretisation::transfers::{TransferSummary, prolongations, summaries
 use crate::discretisation::unknown::Unknown;
 use crate::error::Error;
 use crate::options::choices::{Cycle, FullTransfer, Method};
+use crate::options::prolongations::Prolongations;
 use crate::options::solving::Options;
+use octruss_solver::Error as SolverError;
 use octruss_solver::{
-    EachIteration, Multigrid, Nodal, SolveOptions, conjugate_gradients, stationary_iteration,
+    EachIteration, Multigrid, Nodal, Precision, SolveOptions, conjugate_gradients,
+    stationary_iteration,
 };
 use std::time::Instant;
 
@@ -27,6 +30,11 @@ pub struct Solver<'d, E: Unknown = f64> {
 }
 
 impl<E: Unknown> Solver<'_, E> {
+    /// What prolongs, asked for or usual.
+    pub fn prolongation(&self) -> Prolongations {
+        self.options.prolongation.unwrap_or(self.discretisation.usual_prolongation)
+    }
+
     /// How full multigrid transfers, if it is asked for.
     pub fn full_transfer(&self) -> Option<FullTransfer> {
         self.options.full_transfer(self.discretisation.hierarchy)
@@ -34,19 +42,48 @@ impl<E: Unknown> Solver<'_, E> {
 
     /// Solves the problem; `progress` hears of each iteration and may stop it.
     ///
+    /// Where the iteration stands still although its precision was left open, single
+    /// precision inside the cycle is to blame more often than not: then the multigrid is set
+    /// up again in double, and the iteration goes on.
+    ///
     /// # Errors
     /// As [`conjugate_gradients`], in [`Error::Solver`]: what an iteration left behind
     /// that did not reach its goal is in [`Error::unfinished`].
     pub fn solve(&mut self, progress: Option<EachIteration>) -> Result<Solution<E>, Error> {
+        let error = match self.attempt(None, progress) {
+            Err(error) if self.options.precision.is_none() => error,
+            done => return done,
+        };
+        let is_single = self.multigrid.options().precision == Precision::Single;
+        let stalled = match &error {
+            Error::Solver(SolverError::NotConverged(at)) if is_single && at.has_stalled() => at,
+            Error::Solver(SolverError::NotPositiveDefinite { at, .. }) if is_single => at,
+            _ => return Err(error),
+        };
+        let options = Options { precision: Some(Precision::Double), ..self.options };
+        let seconds = self.setup_seconds;
+        *self = self.discretisation.solver(&options)?;
+        self.setup_seconds += seconds;
+        let mut solution = self.attempt(Some(&stalled.iterate), progress)?;
+        solution.report.follow(&stalled.report);
+        Ok(solution)
+    }
+
+    /// One iteration, from `start` if there is one.
+    fn attempt(
+        &mut self,
+        start: Option<&[f64]>,
+        progress: Option<EachIteration>,
+    ) -> Result<Solution<E>, Error> {
         let Discretisation { matrix, rhs, .. } = self.discretisation;
-        let start = Instant::now();
-        let full_pass = self
-            .full_transfer()
+        let began = Instant::now();
+        let full_transfer = self.full_transfer().filter(|_| start.is_none());
+        let full_pass = full_transfer
             .map(|transfer| full_pass(transfer, self.discretisation, &mut self.multigrid))
             .transpose()?;
-        let pass_seconds = start.elapsed().as_secs_f64();
+        let pass_seconds = began.elapsed().as_secs_f64();
         let stop = SolveOptions {
-            start: full_pass.as_deref().map(Nodal::flat),
+            start: start.or(full_pass.as_deref().map(Nodal::flat)),
             tolerance: self.options.tolerance,
             max_iterations: self.options.max_iterations,
             progress,
@@ -78,11 +115,17 @@ impl<E: Unknown> Discretisation<'_, E> {
     pub fn solver(&self, options: &Options) -> Result<Solver<'_, E>, Error> {
         self.check_provided(options)?;
         let start = Instant::now();
-        let made = prolongations(self.hierarchy, options);
+        let made = prolongations(self.hierarchy, self.usual_prolongation, options);
         let transfers = transfers(self, &made, options)?;
         let projectors = self.levels.iter().map(|level| level.projectors.clone()).collect();
         let cycle = options.multigrid();
-        let multigrid = Multigrid::with_transfers(&self.matrix, transfers, projectors, &cycle)?;
+        let multigrid = Multigrid::with_transfers(
+            &self.matrix,
+            transfers,
+            projectors,
+            self.near_null_space(),
+            &cycle,
+        )?;
         let setup_seconds = start.elapsed().as_secs_f64();
         let transfers = summaries(self.hierarchy, &made);
         Ok(Solver { discretisation: self, options: *options, multigrid, transfers, setup_seconds })

@@ -30,9 +30,14 @@ pub(crate) struct Made<'h> {
     made: Prolongation<'h>,
 }
 
-/// What the options ask for on each transfer, coarsest first.
-pub(crate) fn prolongations<'h>(hierarchy: &'h Hierarchy, options: &Options) -> Vec<Made<'h>> {
-    let Prolongations { finest, coarser } = options.prolongation;
+/// What the options ask for on each transfer, coarsest first, with the usual prolongation if
+/// they leave it open.
+pub(crate) fn prolongations<'h>(
+    hierarchy: &'h Hierarchy,
+    usual: Prolongations,
+    options: &Options,
+) -> Vec<Made<'h>> {
+    let Prolongations { finest, coarser } = options.prolongation.unwrap_or(usual);
     let count = hierarchy.transfers();
     let make = |transfer: usize| {
         let kind = if transfer + 1 == count { finest } else { coarser };
@@ -82,7 +87,7 @@ impl<E: Unknown> Discretisation<'_, E> {
     /// # Errors
     /// [`octruss_solver::Error::Size`], if levels and matrices do not fit together.
     pub fn transfers(&self, options: &Options) -> Result<Vec<Transfer<E>>, Error> {
-        transfers(self, &prolongations(self.hierarchy, options), options)
+        transfers(self, &prolongations(self.hierarchy, self.usual_prolongation, options), options)
     }
 
     /// What is known of them, coarsest first. Makes the matrices anew: a [`Solver`] that
@@ -90,6 +95,6 @@ impl<E: Unknown> Discretisation<'_, E> {
     ///
     /// [`Solver`]: crate::Solver
     pub fn transfer_summaries(&self, options: &Options) -> Vec<TransferSummary> {
-        summaries(self.hierarchy, &prolongations(self.hierarchy, options))
+        summaries(self.hierarchy, &prolongations(self.hierarchy, self.usual_prolongation, options))
     }
 }

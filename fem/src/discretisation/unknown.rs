@@ -4,7 +4,7 @@ use crate::boundary::constraints::Constraints;
 use crate::boundary::dofs::Dofs;
 use crate::boundary::level_unknowns::LevelUnknowns;
 use crate::error::Error;
-use octruss_solver::SystemEntry;
+use octruss_solver::{NearNullSpace, SystemEntry};
 
 /// A matrix entry, for what a vertex carries, and how that is constrained: numbers by
 /// [`Dofs`], displacements (blocks) by [`Constraints`].
@@ -14,6 +14,9 @@ pub trait Unknown: SystemEntry {
 
     /// The unknowns as a level of the multigrid sees them.
     fn level(constraints: &Self::Constraints) -> LevelUnknowns<Self>;
+
+    /// What has no energy on unconstrained vertices at these positions.
+    fn near_null_space(positions: Vec<[f64; 3]>) -> NearNullSpace;
 
     /// A value for each vertex from the unknowns.
     ///
@@ -32,6 +35,10 @@ impl Unknown for f64 {
         constraints.clone().into()
     }
 
+    fn near_null_space(_: Vec<[f64; 3]>) -> NearNullSpace {
+        NearNullSpace::Constants
+    }
+
     fn expand(constraints: &Dofs, x: &[f64]) -> Result<Vec<f64>, Error> {
         constraints.expand(x)
     }
@@ -42,6 +49,10 @@ impl Unknown for [[f64; 3]; 3] {
 
     fn level(constraints: &Constraints) -> LevelUnknowns<Self> {
         constraints.into()
+    }
+
+    fn near_null_space(positions: Vec<[f64; 3]>) -> NearNullSpace {
+        NearNullSpace::RigidMotions(positions)
     }
 
     fn expand(constraints: &Constraints, x: &[[f64; 3]]) -> Result<Vec<[f64; 3]>, Error> {

@@ -4,7 +4,7 @@ use crate::options::choices::{CoarseOperator, Cycle, FullTransfer, Method};
 use crate::options::prolongations::{ProlongationKind, Prolongations};
 use crate::options::sweeps::Sweeps;
 use octruss_base::choice::{Choice, auto, named};
-use octruss_mesh::{AffineCorrection, InterfaceRows, ProlongationOptions, Refinement, Scheme};
+use octruss_mesh::{AffineCorrection, InterfaceRows, ProlongationOptions, Refinement};
 use octruss_solver::{CycleShape, MultigridOptions, Precision, Smoother};
 use serde::{Deserialize, Deserializer, de::Error};
 use std::num::NonZeroU8;
@@ -16,9 +16,12 @@ use std::num::NonZeroU8;
 #[derive(Debug, Clone, Copy, PartialEq, Deserialize)]
 #[serde(deny_unknown_fields, rename_all = "kebab-case", default)]
 pub struct Options {
-    /// Which matrices prolong. (Configs give a list of them, to solve with in turn.)
+    /// Which matrices prolong; left open those that [`Problem::usual_prolongation`] names.
+    /// (Configs give a list of them, to solve with in turn.)
+    ///
+    /// [`Problem::usual_prolongation`]: crate::Problem::usual_prolongation
     #[serde(skip)]
-    pub prolongation: Prolongations,
+    pub prolongation: Option<Prolongations>,
     /// Which rows of them are made exact for linear functions.
     #[serde(deserialize_with = "named")]
     pub affine_correction: AffineCorrection,
@@ -51,17 +54,17 @@ pub struct Options {
     pub smoothing_degree: Option<NonZeroU8>,
     /// Smoothing sweeps before and after each coarse correction.
     pub sweeps: Sweeps,
-    /// The precision inside the cycle; left open single.
+    /// The precision inside the cycle; left open single where that does, else double.
     #[serde(deserialize_with = "auto")]
     pub precision: Option<Precision>,
 }
 
 impl Default for Options {
-    /// To 10⁻⁸ by conjugate gradients with a V(1,1)-cycle, prolonged by box splines.
+    /// To 10⁻⁸ by conjugate gradients with a V(1,1)-cycle.
     fn default() -> Self {
         let stop = octruss_solver::SolveOptions::default();
         Self {
-            prolongation: Scheme::BoxSpline.into(),
+            prolongation: None,
             affine_correction: AffineCorrection::default(),
             interface_rows: InterfaceRows::default(),
             coarse_operator: CoarseOperator::Galerkin,
@@ -118,7 +121,7 @@ impl Options {
             Cycle::V | Cycle::Full => CycleShape::V,
             Cycle::W => CycleShape::W,
         };
-        let precision = self.precision.unwrap_or(usual.precision);
+        let precision = self.precision;
         MultigridOptions { smoother, shape, before, after, precision, ..usual }
     }
 

@@ -24,10 +24,15 @@ fn compare(title: &str, solves: &[SolveFigures]) -> String {
     table(&[
         row(title, &|solve| solve.prolongation.clone()),
         row("unknowns", &|solve| short(solve.unknowns)),
-        row("levels", &|solve| solve.levels.to_string()),
+        row("levels", &levels),
         row("cycle", &|solve| solve.method.cycle_and_sweeps()),
         row("smoother", &|solve| solve.method.smoother_and_degree()),
         row("iterations", &|solve| solve.iterations.to_string()),
+        row("ended by", &|solve| solve.ended.clone()),
+        row("estimated energy error", &|solve| match solve.energy_error {
+            Some(error) => format!("{error:.1e}"),
+            None => "–".into(),
+        }),
         row("mean reduction a cycle", &|solve| format!("{:.4}", solve.mean_reduction)),
         row("nonzeros on all levels", &|solve| short(solve.nonzeros_all_levels)),
         row("operator complexity", &|solve| format!("{:.3}", solve.operator_complexity)),
@@ -38,6 +43,14 @@ fn compare(title: &str, solves: &[SolveFigures]) -> String {
         row("setup seconds", &|solve| format!("{:.2}", solve.setup_seconds)),
         row("solve seconds", &|solve| format!("{:.2}", solve.solve_seconds)),
     ])
+}
+
+/// How many there are, and how many of them are below the coarsest mesh.
+fn levels(solve: &SolveFigures) -> String {
+    match solve.algebraic_levels {
+        0 => solve.levels.to_string(),
+        made => format!("{}, {made} of them algebraic", solve.levels),
+    }
 }
 
 /// Six decimals, or as many digits where those would be few.

@@ -67,7 +67,7 @@ impl<E: Unknown> LevelStudy<'_, E> {
             problem: self.problem.into(),
             body: self.body.into(),
             geometry: self.geometry.name().into(),
-            prolongation: options.prolongation.to_string(),
+            prolongation: solver.prolongation().to_string(),
             coarse_operator: options.coarse_operator.name().into(),
             affine_correction: Choice::name(options.affine_correction).into(),
             affine_defect: worst(|transfer| transfer.affine_defect),

@@ -1,6 +1,7 @@
 //! What a table `[compare]` comes to, with the stages that it varies.
 
 use octruss_base::choice::{Choice, Named};
+use octruss_fem::Prolongations;
 use octruss_mesh::Scheme;
 
 use crate::options::{Compare, Geometry, Several};
@@ -39,14 +40,16 @@ impl Compare {
         self.repeats.map_or(3, |repeats| repeats.get().into())
     }
 
-    /// The solves to compare, each with one prolongation.
+    /// The solves to compare, each with one prolongation; if none is named anywhere, with
+    /// that of the mission and its baseline.
     pub(super) fn variants(&self, solve: &Solve) -> Vec<Solve> {
         let mut variants = vec![solve.clone()];
         vary(&mut variants, &self.smoother, |solve, one| solve.options.smoother = one.0);
         vary(&mut variants, &self.sweeps, |solve, one| solve.options.sweeps = *one);
-        let prolongations = self.prolongation.as_ref().unwrap_or(&solve.prolongation);
-        vary(&mut variants, &Some(prolongations.clone()), |solve, one| {
-            solve.prolongation = [*one].into();
+        let named = self.prolongation.as_ref().or(solve.prolongation.as_ref()).cloned();
+        let usual = || [Scheme::BoxSpline, Scheme::Linear].map(Prolongations::from).into();
+        vary(&mut variants, &Some(named.unwrap_or_else(usual)), |solve, one| {
+            solve.prolongation = Some([*one].into());
         });
         vary(&mut variants, &self.interface_rows, |solve, one| {
             solve.options.interface_rows = one.0

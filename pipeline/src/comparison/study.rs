@@ -201,8 +201,9 @@ impl<'a> Study<'a> {
             if context.asked_to_stop() {
                 return Err(Error::Stopped { stage: context.stage.label.clone() });
             }
-            let options = variant.with(variant.prolongation[0]);
-            let what = format!("{} prolongation", options.prolongation);
+            let options = variant.in_turn()[0];
+            let prolongations = options.prolongation.unwrap_or(discrete.usual_prolongation);
+            let what = format!("{prolongations} prolongation");
             rows.push(context.step(index + 1, variants.len(), &what, || {
                 let row = level.row(&options).map_err(|source| failed(source, &what, context))?;
                 let result = row.result();
@@ -213,7 +214,7 @@ impl<'a> Study<'a> {
         let coarse = discretise(&coarse, &self.solve.options)?;
         let mut schemes = vec![Scheme::Linear, self.subdivide.scheme()];
         schemes.dedup();
-        let options = self.solve.with(self.solve.prolongation[0]);
+        let options = self.solve.in_turn()[0];
         let carried = carried::carry(&options, &schemes, geometry, [&coarse, &discrete], context)
             .map_err(|source| failed(source, "a solution to carry up", context))?;
         let summary = format!("{} variants", rows.len());

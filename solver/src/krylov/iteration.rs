@@ -2,7 +2,8 @@
 
 use crate::error::{Error, check_finite, check_size};
 use crate::krylov::operator::Operator;
-use crate::report::{SolveReport, Unfinished};
+use crate::report::{Ended, SolveReport, Unfinished};
+use crate::sparse::backward_error::largest_share;
 use crate::sparse::dot::{dot, norm};
 use crate::sparse::entry::{Entry, Nodal};
 use std::ops::ControlFlow;
@@ -34,6 +35,15 @@ impl Default for SolveOptions<'_> {
     }
 }
 
+/// A backward error of some units of rounding: rows have dozens of entries.
+const ROUNDING: f64 = 64.0 * f64::EPSILON;
+
+/// By so many steps the convergence is judged.
+const LAST_STEPS: usize = 6;
+
+/// The factor between squares of steps that is taken for a standstill.
+const SLOWEST: f64 = 0.99;
+
 /// A solve under way.
 pub(crate) struct Iteration<'a, E: Entry> {
     matrix: &'a dyn Operator<E>,
@@ -43,6 +53,13 @@ pub(crate) struct Iteration<'a, E: Entry> {
     setup_seconds: f64,
     began: Instant,
     history: Vec<f64>,
+    step_energies: Vec<f64>,
+    /// How often an iterate was looked at in vain.
+    looks: usize,
+    /// Of the iterate that was looked at last, if any was: |A| |x| + |b|, and by that its
+    /// backward error.
+    row_sizes: Option<Vec<E::Nodal>>,
+    backward_error: Option<f64>,
     best_norm: f64,
     /// The iterate with the smallest residual, unless it is the last.
     best: Option<Vec<E::Nodal>>,
@@ -67,9 +84,21 @@ impl<'a, E: Entry<Real = f64>> Iteration<'a, E> {
             check_size("numbers of the start", start.len(), E::SIZE * matrix.rows())?;
             check_finite("start", start)?;
         }
-        let (rhs_norm, best_norm) = (norm(rhs), f64::INFINITY);
-        let (history, best) = (Vec::new(), None);
-        Ok(Self { matrix, rhs, rhs_norm, options, setup_seconds, began, history, best_norm, best })
+        Ok(Self {
+            matrix,
+            rhs,
+            rhs_norm: norm(rhs),
+            options,
+            setup_seconds,
+            began,
+            history: Vec::new(),
+            step_energies: Vec::new(),
+            looks: 0,
+            row_sizes: None,
+            backward_error: None,
+            best_norm: f64::INFINITY,
+            best: None,
+        })
     }
 
     /// The first iterate and its residual; whether zero, should it be the first, may
@@ -108,6 +137,29 @@ impl<'a, E: Entry<Real = f64>> Iteration<'a, E> {
         residual_norm <= self.options.tolerance * self.rhs_norm
     }
 
+    /// Whether rounding allows no better solution than `x`, whose residual is `r`.
+    pub(crate) fn is_at_rounding(&mut self, x: &[E::Nodal], r: &[E::Nodal]) -> bool {
+        self.looks += 1;
+        self.row_sizes = self.matrix.row_sizes(x, self.rhs);
+        self.backward_error = self.row_sizes.as_ref().map(|sizes| largest_share(r, sizes));
+        self.backward_error.is_some_and(|error| error <= ROUNDING)
+    }
+
+    /// Whether a residual that a recurrence gives is worth to be looked at: as small as was
+    /// asked for, or, once that was in vain twice, as small in every row as rounding makes
+    /// the true one.
+    pub(crate) fn is_worth_a_look(&self, r: &[E::Nodal], residual_norm: f64) -> bool {
+        match &self.row_sizes {
+            Some(sizes) if self.looks > 1 => largest_share(r, sizes) <= f64::EPSILON,
+            _ => self.is_small(residual_norm),
+        }
+    }
+
+    /// Notes the square of the way, in the energy norm, of a step.
+    pub(crate) fn note_step(&mut self, energy: f64) {
+        self.step_energies.push(energy);
+    }
+
     /// Notes the residual's norm after an iteration, and the iterate before it if
     /// that was better than all, this one included; `Break` if asked to stop.
     pub(crate) fn record(
@@ -127,8 +179,8 @@ impl<'a, E: Entry<Real = f64>> Iteration<'a, E> {
     }
 
     /// The solution with its report.
-    pub(crate) fn finish(self, x: Vec<E::Nodal>) -> (Vec<E::Nodal>, SolveReport) {
-        let report = self.report(&x);
+    pub(crate) fn finish(self, x: Vec<E::Nodal>, ended: Ended) -> (Vec<E::Nodal>, SolveReport) {
+        let report = SolveReport { ended, ..self.report(&x) };
         (x, report)
     }
 
@@ -144,12 +196,25 @@ impl<'a, E: Entry<Real = f64>> Iteration<'a, E> {
         if self.rhs_norm == 0.0 { 1.0 } else { self.rhs_norm }
     }
 
+    /// What the steps to come would go, over the size of the solution, in the energy norm:
+    /// the squares of steps go on as a geometric series.
+    fn energy_error(&self, x: &[E::Nodal]) -> Option<f64> {
+        let steps = &self.step_energies[self.step_energies.len().saturating_sub(LAST_STEPS)..];
+        let [first, .., last] = steps else { return None };
+        let factor = (last / first).powf(1.0 / (steps.len() - 1) as f64).min(SLOWEST);
+        let energy = dot(x, self.rhs);
+        (energy > 0.0).then(|| (last * factor / (1.0 - factor) / energy).sqrt())
+    }
+
     fn report(self, x: &[E::Nodal]) -> SolveReport {
         let mut r = vec![E::Nodal::default(); x.len()];
         self.matrix.residual(x, self.rhs, &mut r);
         SolveReport {
             iterations: self.history.len() - 1,
             relative_residual: norm(&r) / self.scale(),
+            ended: Ended::default(),
+            backward_error: self.backward_error,
+            energy_error: self.energy_error(x),
             residual_history: self.history,
             setup_seconds: self.setup_seconds,
             solve_seconds: self.began.elapsed().as_secs_f64(),

@@ -1,6 +1,7 @@
 //! What iterations and smoothers ask of a matrix.
 
 use crate::error::{Error, check_finite, check_size};
+use crate::sparse::backward_error::row_sizes;
 use crate::sparse::csr::Csr;
 use crate::sparse::dot::chunk_dot;
 use crate::sparse::entry::{Entry, Nodal};
@@ -84,6 +85,12 @@ pub trait Operator<E: Entry = f64>: Sync {
         None
     }
 
+    /// |A| |x| + |b| for each row, which [`backward_error`](crate::backward_error) measures
+    /// residuals by, if entries are known.
+    fn row_sizes(&self, _x: &[E::Nodal], _b: &[E::Nodal]) -> Option<Vec<E::Nodal>> {
+        None
+    }
+
     /// Whether it can be used at all.
     ///
     /// # Errors
@@ -125,6 +132,10 @@ impl<E: Entry> Operator<E> for Csr<E> {
     }
 
     /// max Σ_j ‖D_i⁻¹ A_ij‖ in the maximum norm.
+    fn row_sizes(&self, x: &[E::Nodal], b: &[E::Nodal]) -> Option<Vec<E::Nodal>> {
+        Some(row_sizes(self, x, b))
+    }
+
     fn bound(&self, inverse_diagonal: &[E]) -> Option<f64> {
         let row = |i: usize| {
             self.row(i).1.iter().map(|v| inverse_diagonal[i].times(*v).norm()).sum::<f64>()

@@ -5,7 +5,7 @@ use crate::error::Error;
 use crate::krylov::iteration::{Iteration, SolveOptions};
 use crate::krylov::operator::Operator;
 use crate::krylov::preconditioner::Preconditioner;
-use crate::report::SolveReport;
+use crate::report::{Ended, SolveReport};
 use crate::sparse::dot::norm;
 use crate::sparse::entry::{Entry, Nodal};
 use crate::sparse::noise::noise;
@@ -25,9 +25,10 @@ pub fn stationary_iteration<E: Entry<Real = f64>>(
     let mut run = Iteration::new(matrix, rhs, preconditioner.setup_seconds(), options)?;
     let (mut x, mut r) = run.first_iterate(true);
     if run.is_small(norm(&r)) {
-        return Ok(run.finish(x));
+        return Ok(run.finish(x, Ended::Residual));
     }
     let mut z = x.clone();
+    let mut last_norm = f64::INFINITY;
     while run.may_go_on() {
         preconditioner.apply(&r, &mut z);
         z.iter_mut().zip(&x).for_each(|(z, x)| *z = x.plus(*z));
@@ -36,8 +37,13 @@ pub fn stationary_iteration<E: Entry<Real = f64>>(
         let residual_norm = norm(&r);
         let wish = run.record(residual_norm, || z.clone());
         if run.is_small(residual_norm) {
-            return Ok(run.finish(x));
+            return Ok(run.finish(x, Ended::Residual));
         }
+        // Looked at only where nothing was gained: it costs about a product.
+        if residual_norm >= last_norm && run.is_at_rounding(&x, &r) {
+            return Ok(run.finish(x, Ended::Rounding));
+        }
+        last_norm = residual_norm;
         // A diverging iteration ends in infinities: no need to wait for the limit.
         if !residual_norm.is_finite() {
             break;

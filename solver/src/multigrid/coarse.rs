@@ -27,6 +27,9 @@ use faer::{Conj, MatMut, Par, Side};
 /// The most unknowns accepted: about a second of factoring.
 pub(crate) const LARGEST: usize = 20_000;
 
+/// So many are factored in milliseconds.
+const SMALL: usize = 1_500;
+
 /// The largest backward error of the test system.
 const TOLERANCE: f64 = 1e-10;
 
@@ -55,6 +58,33 @@ pub(crate) struct CoarseSolver {
 /// entries.
 pub(crate) type Elimination = SymbolicCholesky<u32>;
 
+/// The elimination order of a matrix if a direct solution is cheap: where there are few
+/// unknowns, or the factor has at most `affordable` entries.
+pub(crate) fn affordable_elimination(matrix: &Csr<f64>, affordable: usize) -> Option<Elimination> {
+    let offsets = offsets(matrix);
+    let elimination = analysed(columns(matrix, &offsets).symbolic()).ok()?;
+    let is_cheap = matrix.rows() <= SMALL || elimination.len_val() <= affordable;
+    is_cheap.then_some(elimination)
+}
+
+/// Where rows begin. Fewer than 2^32 entries: 20,000 rows cannot hold more.
+fn offsets(matrix: &Csr<f64>) -> Vec<u32> {
+    (0..=matrix.rows()).map(|row| matrix.offset(row) as u32).collect()
+}
+
+/// Rows of a symmetric matrix are its columns.
+fn columns<'a>(matrix: &'a Csr<f64>, offsets: &'a [u32]) -> SparseColMatRef<'a, u32, f64> {
+    let (n, indices) = (matrix.rows(), matrix.indices());
+    let pattern = SymbolicSparseColMatRef::new_checked(n, n, offsets, None, indices);
+    SparseColMatRef::new(pattern, matrix.values())
+}
+
+fn analysed(pattern: SymbolicSparseColMatRef<'_, u32>) -> Result<Elimination, String> {
+    let (side, ordering) = (Side::Lower, Default::default());
+    factorize_symbolic_cholesky(pattern, side, ordering, Default::default())
+        .map_err(|error| format!("{error:?}"))
+}
+
 enum Factor {
     Cholesky(Elimination, Vec<f64>),
     Lu(SymbolicLu<u32>, NumericLu<u32, f64>),
@@ -72,17 +102,8 @@ impl CoarseSolver {
         if unknowns > LARGEST {
             return Err(Error::CoarsestTooLarge { unknowns, limit: LARGEST });
         }
-        // Fewer than 2^32 entries: 20,000 rows cannot hold more.
-        let offsets: Vec<u32> = (0..=unknowns).map(|row| matrix.offset(row) as u32).collect();
-        let pattern = SymbolicSparseColMatRef::new_checked(
-            unknowns,
-            unknowns,
-            &offsets,
-            None,
-            matrix.indices(),
-        );
-        // Rows of a symmetric matrix are its columns.
-        let columns = SparseColMatRef::new(pattern, matrix.values());
+        let offsets = offsets(&matrix);
+        let columns = columns(&matrix, &offsets);
         let factored = cholesky(columns, known).and_then(|made| Self::tested(&matrix, made));
         let cholesky = match factored {
             Ok(solver) => return Ok(solver),
@@ -182,12 +203,7 @@ type Made = Result<(Factor, StackReq), String>;
 
 fn cholesky(matrix: SparseColMatRef<'_, u32, f64>, known: Option<Elimination>) -> Made {
     let text = |error: &dyn std::fmt::Debug| format!("{error:?}");
-    let (side, ordering) = (Side::Lower, Default::default());
-    let symbolic = match known {
-        Some(symbolic) => symbolic,
-        None => factorize_symbolic_cholesky(matrix.symbolic(), side, ordering, Default::default())
-            .map_err(|error| text(&error))?,
-    };
+    let symbolic = known.map_or_else(|| analysed(matrix.symbolic()), Ok)?;
     let space = symbolic.factorize_numeric_llt_scratch::<f64>(Par::Seq, Default::default());
     let mut memory = MemBuffer::try_new(space).map_err(|error| text(&error))?;
     let mut values = vec![0.0; symbolic.len_val()];
@@ -195,7 +211,7 @@ fn cholesky(matrix: SparseColMatRef<'_, u32, f64>, known: Option<Elimination>) -
         .factorize_numeric_llt(
             &mut values,
             matrix,
-            side,
+            Side::Lower,
             Default::default(),
             Par::Seq,
             MemStack::new(&mut memory),

@@ -2,6 +2,7 @@
 //! matrix with the same pattern left them.
 
 use crate::error::Error;
+use crate::multigrid::aggregation::near_null_space::NearNullSpace;
 use crate::multigrid::coarse::Elimination;
 use crate::multigrid::cycle::Cycle;
 use crate::multigrid::level::Kept;
@@ -40,14 +41,22 @@ pub(crate) struct SetupInput<E: Entry, F: Entry> {
     pub(crate) elimination: Option<Elimination>,
     /// Of each smoothed level, if the smoother needs some and they are not kept.
     pub(crate) domains: Vec<Domains>,
+    /// What the levels below the given ones are made from.
+    pub(crate) below: NearNullSpace,
+}
+
+/// What a user gives, finest first.
+pub(crate) struct GivenLevels<E> {
+    pub(crate) transfers: Vec<Transfer<E>>,
+    pub(crate) projectors: Vec<Vec<(u32, E)>>,
+    pub(crate) below: NearNullSpace,
 }
 
 impl<E: Entry<Real = f64>, F: Entry> SetupInput<E, F> {
     /// From what a user gives for a matrix; checked.
     pub(crate) fn new(
         matrix: &Csr<E>,
-        given: Vec<Transfer<E>>,
-        projectors: Vec<Vec<(u32, E)>>,
+        GivenLevels { transfers: given, projectors, below }: GivenLevels<E>,
         smoother: Smoother,
     ) -> Result<Self, Error> {
         let mut rows = vec![matrix.rows()];
@@ -71,17 +80,21 @@ impl<E: Entry<Real = f64>, F: Entry> SetupInput<E, F> {
             patterns: vec![Arc::clone(matrix.pattern())],
             elimination: None,
             domains,
+            below,
         })
     }
 
-    /// From a cycle that is used no more.
+    /// From a cycle that is used no more, its algebraic levels left out. `keeps_order` says
+    /// whether the last one has the same pattern as before.
     pub(crate) fn of(
         cycle: Cycle<F>,
-        projectors: Vec<Projectors<E>>,
-        patterns: Vec<Arc<Pattern>>,
+        keeps_order: bool,
+        (projectors, patterns, below): (Vec<Projectors<E>>, Vec<Arc<Pattern>>, NearNullSpace),
     ) -> Self {
         let (kept, elimination) = cycle.into_kept();
-        let transfers = kept.into_iter().map(AnyTransfer::Kept).collect();
-        Self { transfers, projectors, patterns, elimination, domains: Vec::new() }
+        let given = patterns.len() - 1;
+        let transfers = kept.into_iter().take(given).map(AnyTransfer::Kept).collect();
+        let elimination = elimination.filter(|_| keeps_order);
+        Self { transfers, projectors, patterns, elimination, domains: Vec::new(), below }
     }
 }

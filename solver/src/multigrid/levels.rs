@@ -2,23 +2,20 @@
 //! and what is done with them.
 
 use crate::error::{Error, check_finite};
-use crate::multigrid::coarse::CoarseSolver;
-use crate::multigrid::cycle::{Coarsest, Cycle};
-use crate::multigrid::figures::summary::LevelSummary;
+use crate::multigrid::aggregation::candidates::Candidates;
+use crate::multigrid::aggregation::near_null_space::NearNullSpace;
+use crate::multigrid::cycle::Cycle;
+use crate::multigrid::descent::Descent;
+use crate::multigrid::figures::summary::{LevelOrigin, LevelSummary};
 use crate::multigrid::figures::traffic::{Traffic, cycle_bytes, measure};
-use crate::multigrid::input::{AnyTransfer, SetupInput};
-use crate::multigrid::level::Level;
+use crate::multigrid::input::{AnyTransfer, GivenLevels, SetupInput};
 use crate::multigrid::options::{Precision, ResolvedOptions};
 use crate::multigrid::projectors::Projectors;
-use crate::multigrid::smoother::diagonal::Diagonal;
 use crate::multigrid::smoother::level_smoother::Grouping;
 use crate::multigrid::transfer::Transfer;
-use crate::sparse::blocks::expand_blocks;
 use crate::sparse::csr::Csr;
-use crate::sparse::dot::largest;
 use crate::sparse::entry::Entry;
 use crate::sparse::pattern::Pattern;
-use std::borrow::Cow;
 use std::sync::Arc;
 
 /// The levels, in here **finest first**, as they are built and visited; what is told to the
@@ -30,6 +27,8 @@ pub struct Levels<E: Entry> {
     /// Where each level's matrix has entries.
     patterns: Vec<Arc<Pattern>>,
     pub(crate) summaries: Vec<LevelSummary>,
+    /// What the levels below the given ones are made from.
+    below: NearNullSpace,
     /// Whether all coarse matrices are Galerkin products of plain prolongations.
     keeps_galerkin: bool,
 }
@@ -50,7 +49,8 @@ macro_rules! with_cycle {
 }
 
 impl<E: Entry<Real = f64>> Levels<E> {
-    /// All levels from the finest matrix, transfers and the projectors of each level.
+    /// All levels from the finest matrix, transfers, the projectors of each level, and the
+    /// near-null space of the last.
     ///
     /// # Errors
     /// As [`Multigrid::with_transfers`](crate::Multigrid::with_transfers).
@@ -58,15 +58,17 @@ impl<E: Entry<Real = f64>> Levels<E> {
         matrix: &Csr<E>,
         transfers: Vec<Transfer<E>>,
         projectors: Vec<Vec<(u32, E)>>,
+        below: NearNullSpace,
         options: &ResolvedOptions,
     ) -> Result<Self, Error> {
+        let given = GivenLevels { transfers, projectors, below };
         match options.precision {
             Precision::Single => {
-                let input = SetupInput::new(matrix, transfers, projectors, options.smoother)?;
+                let input = SetupInput::new(matrix, given, options.smoother)?;
                 Self::build(matrix, input, options, AnyCycle::Single)
             }
             Precision::Double => {
-                let input = SetupInput::new(matrix, transfers, projectors, options.smoother)?;
+                let input = SetupInput::new(matrix, given, options.smoother)?;
                 Self::build(matrix, input, options, AnyCycle::Double)
             }
         }
@@ -77,7 +79,9 @@ impl<E: Entry<Real = f64>> Levels<E> {
     /// # Errors
     /// As [`Multigrid::updated`](crate::Multigrid::updated).
     pub(crate) fn updated(self, matrix: &Csr<E>, options: &ResolvedOptions) -> Result<Self, Error> {
-        let Self { cycle, projectors, patterns, keeps_galerkin, .. } = self;
+        let is_given = |level: &LevelSummary| level.origin == LevelOrigin::Given;
+        let keeps_order = self.summaries.iter().all(is_given);
+        let Self { cycle, projectors, patterns, below, keeps_galerkin, .. } = self;
         let is_shared = Arc::ptr_eq(matrix.pattern(), &patterns[0]);
         if !is_shared && **matrix.pattern() != *patterns[0] {
             return Err(Error::Pattern);
@@ -89,11 +93,11 @@ impl<E: Entry<Real = f64>> Levels<E> {
         }
         match cycle {
             AnyCycle::Single(cycle) => {
-                let input = SetupInput::of(cycle, projectors, patterns);
+                let input = SetupInput::of(cycle, keeps_order, (projectors, patterns, below));
                 Self::build(matrix, input, options, AnyCycle::Single)
             }
             AnyCycle::Double(cycle) => {
-                let input = SetupInput::of(cycle, projectors, patterns);
+                let input = SetupInput::of(cycle, keeps_order, (projectors, patterns, below));
                 Self::build(matrix, input, options, AnyCycle::Double)
             }
         }
@@ -106,22 +110,20 @@ impl<E: Entry<Real = f64>> Levels<E> {
         options: &ResolvedOptions,
         any: fn(Cycle<F>) -> AnyCycle<E>,
     ) -> Result<Self, Error> {
-        let SetupInput { transfers, projectors, mut patterns, elimination, domains } = input;
-        // Levels are called by their number from the coarsest.
-        let above = transfers.len();
-        let mut diagonal = Diagonal::new(matrix, above)?;
-        let scale = scale_to_one(E::flat(&diagonal.entries));
-        let (mut levels, mut summaries) = (Vec::new(), Vec::new());
-        let mut current = Cow::Borrowed(matrix);
+        let SetupInput { transfers, projectors, mut patterns, elimination, domains, below } = input;
         let keeps_galerkin = transfers.iter().all(AnyTransfer::is_galerkin);
+        let mut descent = Descent::<E, F>::new(matrix, transfers.len(), options)?;
         let mut groupings = domains.into_iter().map(Grouping::Domains);
-        for (transfer, constrained) in transfers.into_iter().zip(projectors.windows(2)) {
-            let (number, both) = (levels.len(), [&constrained[0], &constrained[1]]);
+        for ((number, transfer), pair) in
+            transfers.into_iter().enumerate().zip(projectors.windows(2))
+        {
+            let both = [&pair[0], &pair[1]];
+            let (current, diagonal) = (&*descent.current, &descent.diagonal);
             let (mut kept, coarser) = match transfer {
-                AnyTransfer::New(transfer) => transfer.apply((&current, &diagonal), both),
+                AnyTransfer::New(transfer) => transfer.apply((current, diagonal), both),
                 AnyTransfer::Kept(kept) => {
                     let pattern = patterns.get(number + 1);
-                    let product = kept.galerkin((&current, both[0]), both[1], pattern);
+                    let product = kept.galerkin((current, both[0]), both[1], pattern);
                     (kept, product.expect("only Galerkin products of numbers are kept"))
                 }
             };
@@ -129,23 +131,21 @@ impl<E: Entry<Real = f64>> Levels<E> {
                 patterns.push(Arc::clone(coarser.pattern()));
             }
             kept.grouping = kept.grouping.or_else(|| groupings.next());
-            let scaled = (&*current, diagonal, scale);
-            let level = Level::<F>::new(scaled, kept, both, options);
-            summaries.push(LevelSummary {
-                bytes: level.bytes(),
-                prolongation_nonzeros: Some(level.prolongation.multiplications()),
-                largest_eigenvalue: level.smoothing.largest_eigenvalue(),
-                ..LevelSummary::of(&*current)
-            });
-            levels.push(level);
-            current = Cow::Owned(coarser);
-            diagonal = Diagonal::new(&*current, above - levels.len())?;
+            descent.step(kept, coarser, both, LevelOrigin::Given)?;
         }
-        let solver = CoarseSolver::new(expand_blocks(&current, scale), elimination)?;
-        summaries.push(LevelSummary { bytes: solver.bytes(), ..LevelSummary::of(&*current) });
-        let coarsest = Coarsest::new(solver, current.rows() * E::SIZE);
-        let cycle = any(Cycle::new(matrix.rows(), levels, coarsest, options.shape, scale));
-        Ok(Self { cycle, projectors, patterns, summaries, keeps_galerkin })
+        let coarsest = &projectors[projectors.len() - 1];
+        let candidates = Candidates::new(&below, descent.current.rows(), coarsest)?;
+        let elimination = match elimination {
+            None => descent.below_the_given(candidates, coarsest)?,
+            known => known,
+        };
+        let (cycle, summaries) = descent.finish(elimination)?;
+        Ok(Self { cycle: any(cycle), projectors, patterns, summaries, below, keeps_galerkin })
+    }
+
+    /// How many transfers were given; levels below are algebraic.
+    pub(crate) fn given(&self) -> usize {
+        self.patterns.len() - 1
     }
 
     /// z = one cycle for A z = r.
@@ -175,15 +175,5 @@ impl<E: Entry<Real = f64>> Levels<E> {
         let unknowns = self.summaries[0].unknowns;
         let visits = |below| options.visits(below);
         with_cycle!(&self.cycle, cycle => cycle_bytes(&cycle.levels, unknowns, visits))
-    }
-}
-
-/// The power of two, so that nothing is rounded, that makes the largest entry of
-/// a diagonal about 1: in other units than these a matrix may hold nothing but
-/// infinities or zeros in single precision.
-fn scale_to_one(diagonal: &[f64]) -> f64 {
-    match largest(diagonal) {
-        0.0 => 1.0,
-        top => 2.0_f64.powi(-(top.log2().floor() as i32)),
     }
 }

@@ -1,11 +1,13 @@
-//! Geometric multigrid from matrices alone.
+//! Multigrid: levels from a matrix, and prolongations as far as they are given.
 //!
 //! ```text
 //! matrix, transfers ─▶ input ─▶ setup: level by level, Galerkin products down to coarse ─▶ cycle
 //! ```
 
+pub mod aggregation;
 pub mod coarse;
 pub mod cycle;
+pub mod descent;
 pub mod figures;
 pub mod galerkin;
 pub mod input;

@@ -82,10 +82,10 @@ pub enum Precision {
 /// The choices of a cycle. The defaults suit the systems of finite
 /// elements; nobody has to choose.
 ///
-/// `S` is the smoother: asked for or left open, or, once the matrix is known
-/// ([`ResolvedOptions`]), the one that runs.
+/// `S` is the smoother and `P` the precision: asked for or left open, or, once the matrix is
+/// known ([`ResolvedOptions`]), those that run.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct MultigridOptions<S = Option<Smoother>> {
+pub struct MultigridOptions<S = Option<Smoother>, P = Option<Precision>> {
     /// What one sweep is. If left open, what takes the least time:
     /// [`HybridGaussSeidel`](Smoother::HybridGaussSeidel) for a matrix of blocks whose
     /// diagonal is inverted by blocks, else [`CHEBYSHEV`](Smoother::CHEBYSHEV).
@@ -99,16 +99,23 @@ pub struct MultigridOptions<S = Option<Smoother>> {
     /// Sweeps after it (ν₂). With as many as before, the cycle is symmetric; else
     /// conjugate gradients run in their flexible form, which costs a vector more.
     pub after: usize,
-    /// The precision inside the cycle; the coarsest level is always solved in double.
-    pub precision: Precision,
+    /// The precision inside the cycle; the coarsest level is always solved in double. If
+    /// left open, [`Single`](Precision::Single), but [`Double`](Precision::Double) where the
+    /// largest entry of the matrix' diagonal is 10⁵ times the smallest: stiff parts then
+    /// move as rigid ones, and what little energy soft neighbours put into that would be
+    /// lost among the rounding errors of the stiff.
+    pub precision: P,
 }
 
 /// The choices of a cycle that has been set up.
-pub type ResolvedOptions = MultigridOptions<Smoother>;
+pub type ResolvedOptions = MultigridOptions<Smoother, Precision>;
+
+/// From this contrast on single precision does not do.
+const CONTRAST: f64 = 1e5;
 
 impl Default for MultigridOptions {
     /// V(1,1), the smoother that takes the least time with the diagonal's blocks, single
-    /// precision.
+    /// precision where that does.
     fn default() -> Self {
         Self {
             smoother: None,
@@ -116,23 +123,30 @@ impl Default for MultigridOptions {
             shape: CycleShape::V,
             before: 1,
             after: 1,
-            precision: Precision::Single,
+            precision: None,
         }
     }
 }
 
 impl MultigridOptions {
-    /// With the smoother that runs, for a matrix of blocks or of numbers.
+    /// With the smoother and the precision that run, for a matrix of blocks or of numbers
+    /// with this contrast of its diagonal.
     ///
     /// # Errors
     /// [`Error::Option`] for a value that makes no sense.
-    pub(crate) fn resolved(self, has_blocks: bool) -> Result<ResolvedOptions, Error> {
+    pub(crate) fn resolved(
+        self,
+        has_blocks: bool,
+        contrast: f64,
+    ) -> Result<ResolvedOptions, Error> {
         let Self { smoother, diagonal, shape, before, after, precision } = self;
         let usual = match has_blocks && diagonal == DiagonalKind::Block {
             true => Smoother::HybridGaussSeidel,
             false => Smoother::CHEBYSHEV,
         };
         let smoother = smoother.unwrap_or(usual);
+        let does = if contrast < CONTRAST { Precision::Single } else { Precision::Double };
+        let precision = precision.unwrap_or(does);
         let resolved = MultigridOptions { smoother, diagonal, shape, before, after, precision };
         resolved.check()?;
         Ok(resolved)

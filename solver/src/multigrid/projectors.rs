@@ -50,6 +50,13 @@ impl<E: Entry<Real = f64>> Projectors<E> {
         Ok(Self { list, places })
     }
 
+    /// As [`Projectors::new`] for a list that is right by construction.
+    pub(crate) fn trusted(rows: usize, list: Vec<(u32, E)>) -> Self {
+        let mut places = vec![NONE; if list.is_empty() { 0 } else { rows }];
+        (0..).zip(&list).for_each(|(place, (row, _))| places[*row as usize] = place);
+        Self { list, places }
+    }
+
     /// Whether no row is constrained.
     pub(crate) fn is_empty(&self) -> bool {
         self.list.is_empty()

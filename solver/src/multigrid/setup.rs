@@ -1,7 +1,9 @@
-//! Geometric multigrid from matrices alone.
+//! Multigrid from a matrix, and from prolongations as far as they are given.
 
 use crate::error::{Error, check_finite, check_size};
+use crate::krylov::operator::Operator;
 use crate::krylov::preconditioner::Preconditioner;
+use crate::multigrid::aggregation::near_null_space::NearNullSpace;
 use crate::multigrid::figures::summary::LevelSummary;
 use crate::multigrid::figures::traffic::Traffic;
 use crate::multigrid::levels::Levels;
@@ -14,8 +16,10 @@ use std::time::Instant;
 
 /// Levels from a matrix and prolongations, and a cycle over them.
 ///
-/// Coarse matrices are Galerkin products Pᵀ A P unless given; the coarsest level is solved
-/// directly. Prints itself as a table of its levels. Lists have the **coarsest first**;
+/// Coarse matrices are Galerkin products Pᵀ A P unless given. Below the prolongations the
+/// hierarchy goes on algebraically, by smoothed aggregation (Vaněk, Mandel and Brezina
+/// 1996), until a direct solution is cheap; without any prolongation all levels are
+/// algebraic. Prints itself as a table of its levels. Lists have the **coarsest first**;
 /// level 0 is the coarsest.
 pub struct Multigrid<E: SystemEntry = f64> {
     levels: Levels<E>,
@@ -36,8 +40,9 @@ impl<E: SystemEntry> Multigrid<E> {
     /// # Errors
     /// [`Error::Size`] if a prolongation does not fit the level above it,
     /// [`Error::NotFinite`] or [`Error::Diagonal`] for a senseless matrix,
-    /// [`Error::CoarsestTooLarge`] or [`Error::CoarsestSingular`] for a
-    /// coarsest level that cannot be solved directly, [`Error::Option`].
+    /// [`Error::CoarsestSingular`] for a coarsest level that cannot be solved directly,
+    /// [`Error::CoarsestTooLarge`] if the matrix hardly couples its rows, so that no level
+    /// gets small enough, [`Error::Option`].
     pub fn new(
         matrix: &Csr<E>,
         prolongations: Vec<Csr<f64>>,
@@ -63,28 +68,32 @@ impl<E: SystemEntry> Multigrid<E> {
         options: &MultigridOptions,
     ) -> Result<Self, Error> {
         let transfers = prolongations.into_iter().map(Transfer::from).collect();
-        Self::with_transfers(matrix, transfers, projectors, options)
+        let below = NearNullSpace::Constants;
+        Self::with_transfers(matrix, transfers, projectors, below, options)
     }
 
-    /// As [`Multigrid::constrained`], with a choice for each transfer.
+    /// As [`Multigrid::constrained`], with a choice for each transfer, and with the vectors
+    /// that the levels `below` the coarsest of them carry.
     ///
     /// # Errors
-    /// As [`Multigrid::constrained`].
+    /// As [`Multigrid::constrained`]; [`Error::Size`], [`Error::NotFinite`] and
+    /// [`Error::Option`] for rigid motions that do not fit.
     pub fn with_transfers(
         matrix: &Csr<E>,
         mut transfers: Vec<Transfer<E>>,
         mut projectors: Vec<Vec<(u32, E)>>,
+        below: NearNullSpace,
         options: &MultigridOptions,
     ) -> Result<Self, Error> {
         let start = Instant::now();
-        let options = options.resolved(E::SIZE > 1)?;
         check_size("columns of the matrix", matrix.columns(), matrix.rows())?;
         check_size("lists of projectors", projectors.len(), transfers.len() + 1)?;
         check_finite("matrix", E::flat(matrix.values()))?;
+        let options = options.resolved(E::SIZE > 1, contrast(matrix))?;
         // Levels are built from the finest down.
         transfers.reverse();
         projectors.reverse();
-        let levels = E::build(matrix, transfers, projectors, &options)?;
+        let levels = E::build(matrix, transfers, projectors, below, &options)?;
         Ok(Self::of(levels, options, start))
     }
 
@@ -135,9 +144,10 @@ impl<E: SystemEntry> Multigrid<E> {
         let rows: Vec<usize> = self.levels.summaries.iter().map(rows).collect();
         check_size("entries of the right-hand side", rhs.len(), rows[0])?;
         // Levels without unknowns have no transfer that could be used.
-        let finest_first: Vec<&Csr<f64>> = transfers.iter().rev().take(rows.len() - 1).collect();
+        let given = self.levels.given();
+        let finest_first: Vec<&Csr<f64>> = transfers.iter().rev().take(given).collect();
         if !transfers.is_empty() {
-            check_size("transfers of full multigrid", finest_first.len(), rows.len() - 1)?;
+            check_size("transfers of full multigrid", finest_first.len(), given)?;
         }
         for (transfer, sizes) in finest_first.iter().zip(rows.windows(2)) {
             check_size("rows of a transfer", transfer.rows(), sizes[0])?;
@@ -165,6 +175,11 @@ impl<E: SystemEntry> Multigrid<E> {
     /// What each level holds, coarsest first.
     pub fn levels(&self) -> &[LevelSummary] {
         &self.summaries
+    }
+
+    /// How many levels lie below the given ones.
+    pub fn algebraic_levels(&self) -> usize {
+        self.summaries.len() - 1 - self.levels.given()
     }
 
     /// What the finest level holds.
@@ -214,6 +229,15 @@ impl<E: SystemEntry> Multigrid<E> {
     }
 }
 
+/// The largest over the smallest entry of the diagonal, by their norms; at least 1.
+fn contrast<E: SystemEntry>(matrix: &Csr<E>) -> f64 {
+    let norms = matrix.diagonal().into_iter().map(|entry| entry.norm());
+    let ends = norms.fold((f64::INFINITY, 0.0), |(low, high): (f64, f64), norm| {
+        (low.min(norm), high.max(norm))
+    });
+    (ends.1 / ends.0).max(1.0)
+}
+
 impl<E: SystemEntry> Preconditioner<E::Nodal> for Multigrid<E> {
     fn apply(&mut self, r: &[E::Nodal], z: &mut [E::Nodal]) {
         E::cycle(&mut self.levels, Nodal::flat(r), Nodal::flat_mut(z));
@@ -249,7 +273,7 @@ mod tests {
 
     #[test]
     fn the_reduction_on_an_interval_does_not_depend_on_the_level() {
-        let double = MultigridOptions { precision: Precision::Double, ..Default::default() };
+        let double = MultigridOptions { precision: Some(Precision::Double), ..Default::default() };
         let gauss_seidel = MultigridOptions { smoother: Some(Smoother::GaussSeidel), ..double };
         for (options, bound) in [(double, 0.12), (gauss_seidel, 0.2)] {
             for levels in [4, 7, 10, 13] {
@@ -262,7 +286,7 @@ mod tests {
 
     #[test]
     fn the_cycle_is_symmetric() {
-        let double = MultigridOptions { precision: Precision::Double, ..Default::default() };
+        let double = MultigridOptions { precision: Some(Precision::Double), ..Default::default() };
         // The last two with four domains on the finest level.
         for (smoother, shape, levels) in [
             (Smoother::GaussSeidel, CycleShape::V, 8),
@@ -285,7 +309,7 @@ mod tests {
 
     #[test]
     fn single_precision_takes_the_same_iterations() {
-        let double = MultigridOptions { precision: Precision::Double, ..Default::default() };
+        let double = MultigridOptions { precision: Some(Precision::Double), ..Default::default() };
         let goal = SolveOptions { tolerance: 1e-12, ..Default::default() };
         let iterations = [double, MultigridOptions::default()].map(|options| {
             let (matrix, mut multigrid) = interval(8, &options);

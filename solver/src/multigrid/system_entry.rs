@@ -1,6 +1,7 @@
 //! The entries of systems that are solved, and where what solves them is compiled.
 
 use crate::error::Error;
+use crate::multigrid::aggregation::near_null_space::NearNullSpace;
 use crate::multigrid::figures::traffic::Traffic;
 use crate::multigrid::levels::Levels;
 use crate::multigrid::options::ResolvedOptions;
@@ -21,6 +22,7 @@ pub trait SystemEntry: Entry<Real = f64> {
         matrix: &Csr<Self>,
         transfers: Vec<Transfer<Self>>,
         projectors: Vec<Vec<(u32, Self)>>,
+        below: NearNullSpace,
         options: &ResolvedOptions,
     ) -> Result<Levels<Self>, Error>;
     /// [`Levels::updated`].
@@ -57,9 +59,10 @@ macro_rules! compiled_here {
                 matrix: &Csr<Self>,
                 transfers: Vec<Transfer<Self>>,
                 projectors: Vec<Vec<(u32, Self)>>,
+                below: NearNullSpace,
                 options: &ResolvedOptions,
             ) -> Result<Levels<Self>, Error> {
-                Levels::new(matrix, transfers, projectors, options)
+                Levels::new(matrix, transfers, projectors, below, options)
             }
             fn rebuild(
                 levels: Levels<Self>,

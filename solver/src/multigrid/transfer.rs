@@ -51,7 +51,8 @@ impl<E: Entry<Real = f64>> Transfer<E> {
     ) -> (Kept<F>, Csr<E>) {
         let Self { prolongation: p, smooth, coarse_matrix } = self;
         if smooth {
-            let smoothed = smoothed((matrix, diagonal), &p, fine);
+            let smoothed =
+                smoothed((matrix, diagonal), &p, fine, |weight| E::identity().scaled(weight));
             drop(p);
             // A baseline: its product is that of weights that are not yet rounded.
             let product = || galerkin_of_entries(matrix, &smoothed, coarse);

@@ -2,8 +2,10 @@
 
 use crate::sparse::csr::Csr;
 use crate::sparse::entry::{Entry, Nodal};
+use crate::sparse::kernels::residual;
 use crate::sparse::real::Real;
-use octruss_base::chunks::map_ranges;
+use octruss_base::chunks::{for_chunks, map_ranges};
+use octruss_base::large_array::zeroed;
 
 /// max_i |b − A x|_i / (|A| |x| + |b|)_i over all numbers of all rows: the smallest ε such
 /// that x solves a system whose every number differs by a share of at most ε from that of
@@ -15,23 +17,45 @@ use octruss_base::chunks::map_ranges;
 /// # Panics
 /// If a vector's length does not fit the matrix.
 pub fn backward_error<E: Entry>(matrix: &Csr<E>, x: &[E::Nodal], b: &[E::Nodal]) -> f64 {
+    let mut r = vec![E::Nodal::default(); b.len()];
+    residual(matrix, x, b, &mut r);
+    largest_share(&r, &row_sizes(matrix, x, b))
+}
+
+/// (|A| |x| + |b|)_i for each number of each row: what a residual is summed up from.
+pub(crate) fn row_sizes<E: Entry>(
+    matrix: &Csr<E>,
+    x: &[E::Nodal],
+    b: &[E::Nodal],
+) -> Vec<E::Nodal> {
     assert!(x.len() == matrix.columns() && b.len() == matrix.rows());
-    let row_error = |row: usize| {
-        let (columns, values) = matrix.row(row);
-        let of_component = |i: usize| {
-            let (mut residual, mut size) = (b[row].at(i).to_f64(), b[row].at(i).to_f64().abs());
-            for (&column, value) in columns.iter().zip(values) {
-                for j in 0..E::SIZE {
-                    let product = value.at(i, j).to_f64() * x[column as usize].at(j).to_f64();
-                    residual -= product;
-                    size += product.abs();
-                }
-            }
-            if residual == 0.0 { 0.0 } else { residual.abs() / size }
-        };
-        (0..E::SIZE).map(of_component).fold(0.0, worse)
+    let mut sizes: Vec<E::Nodal> = zeroed(matrix.rows());
+    for_chunks(&mut sizes, |first, chunk| {
+        for (row, size) in (first..).zip(chunk) {
+            let (columns, values) = matrix.row(row);
+            *size = E::Nodal::from_fn(|i| {
+                let product = |(&column, value): (&u32, &E)| {
+                    let x = &x[column as usize];
+                    (0..E::SIZE).map(|j| (value.at(i, j) * x.at(j)).to_f64().abs()).sum::<f64>()
+                };
+                let products: f64 = columns.iter().zip(values).map(product).sum();
+                products + b[row].at(i).to_f64().abs()
+            });
+        }
+    });
+    sizes
+}
+
+/// max_i |r_i| / size_i; 0 / 0 counts as 0.
+pub(crate) fn largest_share<V: Nodal>(r: &[V], sizes: &[V]) -> f64 {
+    let share = |(r, size): (&V::Real, &V::Real)| {
+        let r = r.to_f64().abs();
+        if r == 0.0 { 0.0 } else { r / size.to_f64() }
     };
-    let chunks = map_ranges(matrix.rows(), |rows| rows.map(row_error).fold(0.0, worse));
+    let (r, sizes) = (V::flat(r), V::flat(sizes));
+    let chunks = map_ranges(r.len(), |range| {
+        r[range.clone()].iter().zip(&sizes[range]).map(share).fold(0.0, worse)
+    });
     chunks.into_iter().fold(0.0, worse)
 }
 

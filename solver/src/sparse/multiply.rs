@@ -4,7 +4,7 @@
 use crate::sparse::accumulator::Accumulator;
 use crate::sparse::csr::Csr;
 use crate::sparse::entry::Entry;
-use octruss_base::chunks::map_ranges;
+use octruss_base::chunks::map_heavy_ranges;
 
 /// A B, with every entry that the patterns can produce, zeros included.
 ///
@@ -22,8 +22,8 @@ pub(crate) fn multiply_with<A: Copy + Sync, B: Copy + Sync, E: Entry>(
     term: impl Fn(A, B) -> (E::Real, E) + Sync,
 ) -> Csr<E> {
     assert_eq!(a.columns(), b.rows(), "columns of the left, rows of the right factor");
-    let chunks = map_ranges(a.rows(), |rows| {
-        let mut row = Accumulator::<E>::new(b.columns());
+    let workspace = || Accumulator::<E>::new(b.columns());
+    let chunks = map_heavy_ranges(a.rows(), workspace, |row, rows| {
         let (mut lengths, mut indices, mut values) = (Vec::new(), Vec::new(), Vec::new());
         for i in rows {
             row.clear();

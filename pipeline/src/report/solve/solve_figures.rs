@@ -2,6 +2,7 @@
 
 use octruss_base::choice::Choice;
 use octruss_fem::{Options, Solution, Solver, Unknown};
+use octruss_solver::Ended;
 use serde::{Deserialize, Serialize};
 
 use super::method_figures::MethodFigures;
@@ -29,6 +30,9 @@ pub struct SolveFigures {
     pub unknowns: usize,
     /// How many levels the cycle has.
     pub levels: usize,
+    /// How many of them lie below the coarsest mesh, made from matrices alone.
+    #[serde(default)]
+    pub algebraic_levels: usize,
     /// Stored entries of the finest matrix.
     pub nonzeros: usize,
     /// Stored entries of all levels' matrices.
@@ -53,6 +57,18 @@ pub struct SolveFigures {
     /// ‖b − A x‖ / ‖b‖ at the end.
     #[serde(deserialize_with = "null_as_nan")]
     pub relative_residual: f64,
+    /// What ended it: `residual`, as small as was asked for, or `rounding`, which allows no
+    /// more.
+    #[serde(default = "ended_by_residual")]
+    pub ended: String,
+    /// Where the residual alone did not end it: the largest share of rounding in a row, that
+    /// is max |b − A x| / (|A| |x| + |b|).
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub backward_error: Option<f64>,
+    /// The estimated distance to the exact solution of the system in the energy norm, relative
+    /// to the solution; none without conjugate gradients.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub energy_error: Option<f64>,
     /// Relative residuals from that of the start (1 of zero) on, one more than
     /// iterations.
     #[serde(deserialize_with = "nulls_as_nan")]
@@ -99,14 +115,15 @@ impl SolveFigures {
         let work = cycles * (multigrid.work_units() + 1.0);
         let transfers: Vec<TransferFigures> = solver.transfers.iter().map(Into::into).collect();
         Self {
-            name: options.prolongation.to_string(),
-            prolongation: options.prolongation.to_string(),
+            name: solver.prolongation().to_string(),
+            prolongation: solver.prolongation().to_string(),
             affine_correction: Choice::name(options.affine_correction).into(),
             interface_rows: Choice::name(options.interface_rows).into(),
             coarse_operator: options.coarse_operator.name().into(),
             method: MethodFigures::new(options, solver),
             unknowns: multigrid.finest().unknowns,
             levels: multigrid.levels().len(),
+            algebraic_levels: multigrid.algebraic_levels(),
             nonzeros: multigrid.finest().nonzeros,
             nonzeros_all_levels: multigrid.levels().iter().map(|level| level.nonzeros).sum(),
             operator_complexity: multigrid.operator_complexity(),
@@ -116,6 +133,9 @@ impl SolveFigures {
             full_multigrid_residual: solution.full_multigrid_residual,
             iterations: report.iterations,
             relative_residual: report.relative_residual,
+            ended: report.ended.name().into(),
+            backward_error: report.backward_error,
+            energy_error: report.energy_error,
             residual_history: report.residual_history.clone(),
             mean_reduction: reduced.powf(1.0 / cycles.max(1.0)),
             work_per_digit: if cycles > 0.0 { -work / reduced.log10() } else { 0.0 },
@@ -129,6 +149,16 @@ impl SolveFigures {
 
     /// The outcome in a few words.
     pub fn result(&self) -> String {
-        format!("{} iterations, residual {:.1e}", self.iterations, self.relative_residual)
+        let (iterations, residual) = (self.iterations, self.relative_residual);
+        let end = match self.ended == Ended::Rounding.name() {
+            true => ", as far as rounding allows",
+            false => "",
+        };
+        format!("{iterations} iterations, residual {residual:.1e}{end}")
     }
+}
+
+/// What ended all solves of which older reports tell.
+fn ended_by_residual() -> String {
+    Ended::Residual.name().into()
 }

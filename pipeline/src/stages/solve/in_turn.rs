@@ -40,7 +40,7 @@ pub(super) fn discretise<'h, P: Problem>(
     context: &Context,
 ) -> Result<(Discretisation<'h, P::Entry>, f64), Error> {
     let start = Instant::now();
-    let steps = options.prolongation.len() + 1;
+    let steps = options.in_turn().len() + 1;
     let discrete = context.step(1, steps, "assembly", || {
         let discrete = Discretisation::new(hierarchy, problem, &options.options)
             .map_err(|source| context.solver("assembly", source))?;
@@ -58,11 +58,12 @@ pub(super) fn solve_in_turn<E: Unknown>(
     magnitude: impl Fn(&E::Nodal) -> f64,
     context: &Context,
 ) -> Result<(Vec<E::Nodal>, Vec<SolveFigures>), Error> {
-    let steps = options.prolongation.len() + 1;
+    let all_options = options.in_turn();
+    let steps = all_options.len() + 1;
     let (mut first, mut all) = (None, Vec::new());
-    for (index, &prolongations) in options.prolongation.iter().enumerate() {
+    for (index, chosen) in all_options.into_iter().enumerate() {
+        let prolongations = chosen.prolongation.unwrap_or(discrete.usual_prolongation);
         let what = format!("{prolongations} prolongation");
-        let chosen = options.with(prolongations);
         let (values, figures) = context.step(index + 2, steps, &what, || {
             let solve = || {
                 let mut solver = discrete.solver(&chosen)?;

@@ -1,7 +1,6 @@
 //! The keys of a stage `solve`.
 
 use octruss_fem::{Contradiction, Options, Prolongations};
-use octruss_mesh::Scheme;
 use serde::Deserialize;
 
 use super::problem_keys::ProblemKeys;
@@ -23,8 +22,10 @@ use crate::stages::stage_contradiction::StageContradiction;
 pub struct Solve {
     /// Which equation, with its data.
     pub problem: ProblemKeys,
-    /// Which matrices prolong, in turn: those of a scheme or `smoothed-linear`.
-    pub prolongation: Several<Prolongations>,
+    /// Which matrices prolong: those of a scheme or `smoothed-linear`; of a list each in
+    /// turn. Left open those that take the least time: linear ones, but box splines for the
+    /// biharmonic equation, and for elasticity where a smooth scheme shaped the body.
+    pub prolongation: Option<Several<Prolongations>>,
     /// How it is solved.
     pub options: Options,
     /// Measure bytes and bandwidth of each kernel after solving.
@@ -35,7 +36,7 @@ impl Default for Solve {
     fn default() -> Self {
         Self {
             problem: ProblemKeys::default(),
-            prolongation: [Scheme::BoxSpline.into(), Scheme::Linear.into()].into(),
+            prolongation: None,
             options: Options::default(),
             account: false,
         }
@@ -62,8 +63,12 @@ impl Solve {
         })
     }
 
-    /// The options of a solve with these prolongations.
-    pub(crate) fn with(&self, prolongation: Prolongations) -> Options {
-        Options { prolongation, ..self.options }
+    /// The options of each solve, one for each prolongation.
+    pub(crate) fn in_turn(&self) -> Vec<Options> {
+        let with = |prolongation| Options { prolongation, ..self.options };
+        match &self.prolongation {
+            None => vec![with(None)],
+            Some(several) => several.iter().map(|one| with(Some(*one))).collect(),
+        }
     }
 }

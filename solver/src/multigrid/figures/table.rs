@@ -8,8 +8,8 @@ impl<E: SystemEntry> fmt::Display for Multigrid<E> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         writeln!(
             f,
-            "{:>5}  {:>10}  {:>11}  {:>7}  {:>9}  {:>9}",
-            "level", "unknowns", "nonzeros", "per row", "MiB", "λmax"
+            "{:>5}  {:<9}  {:>10}  {:>11}  {:>7}  {:>9}  {:>9}",
+            "level", "origin", "unknowns", "nonzeros", "per row", "MiB", "λmax"
         )?;
         for (number, level) in self.levels().iter().enumerate() {
             let eigenvalue = match (level.largest_eigenvalue, level.prolongation_nonzeros) {
@@ -19,7 +19,8 @@ impl<E: SystemEntry> fmt::Display for Multigrid<E> {
             };
             writeln!(
                 f,
-                "{number:>5}  {:>10}  {:>11}  {:>7.1}  {:>9.2}  {eigenvalue:>9}",
+                "{number:>5}  {:<9}  {:>10}  {:>11}  {:>7.1}  {:>9.2}  {eigenvalue:>9}",
+                level.origin.name(),
                 level.unknowns,
                 level.nonzeros,
                 level.nonzeros_per_row(),

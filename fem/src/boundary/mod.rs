@@ -4,5 +4,7 @@ pub mod constraints;
 pub mod dofs;
 pub mod held_vertex;
 pub mod level_unknowns;
+pub mod noisy_planes;
 pub mod rigid_modes;
 pub mod surface;
+pub mod surface_normals;

@@ -7,7 +7,7 @@ use crate::error::Error;
 use crate::options::choices::Cycle;
 use crate::options::solving::Options;
 use octruss_mesh::Hierarchy;
-use octruss_solver::{Csr, Multigrid, SolveOptions, conjugate_gradients};
+use octruss_solver::{Csr, Entry, Multigrid, Nodal, SolveOptions, conjugate_gradients};
 use std::time::Instant;
 
 /// A problem on a hierarchy: the matrix and the right-hand side of the finest level, and
@@ -58,7 +58,8 @@ impl<'h, E: Unknown> Discretisation<'h, E> {
     /// lift prescribed values.
     ///
     /// # Errors
-    /// [`Error`] tells what is wrong with the data of the problem.
+    /// [`Error`] tells what is wrong with the data of the problem; [`Error::NoLoad`] if nothing
+    /// acts on it.
     pub fn new<P: Problem<Entry = E>>(
         hierarchy: &'h Hierarchy,
         problem: &P,
@@ -76,6 +77,7 @@ impl<'h, E: Unknown> Discretisation<'h, E> {
         }
         let Assembled { matrix, rhs, constraints } = problem.assemble(finest)?;
         levels.push(E::level(&constraints));
+        check_loaded(problem, &rhs, &levels)?;
         // Assembled anew even where its matrix is at hand: only here is its load wanted.
         let lifts =
             options.cycle() == Cycle::Full && !levels.iter().all(LevelUnknowns::is_homogeneous);
@@ -120,6 +122,21 @@ impl<'h, E: Unknown> Discretisation<'h, E> {
     pub fn project(&self, x: &mut [E::Nodal]) {
         octruss_solver::project(&self.finest().projectors, x);
     }
+}
+
+/// Refuses a problem in which all that acts and all that is prescribed is 0: its solution is,
+/// too, and most likely something was forgotten.
+fn check_loaded<P: Problem>(
+    problem: &P,
+    rhs: &[<P::Entry as Entry>::Nodal],
+    levels: &[LevelUnknowns<P::Entry>],
+) -> Result<(), Error> {
+    let acts = Nodal::flat(rhs).iter().any(|value| *value != 0.0);
+    let is_prescribed = !levels.iter().all(LevelUnknowns::is_homogeneous);
+    if acts || is_prescribed || rhs.is_empty() {
+        return Ok(());
+    }
+    Err(Error::NoLoad { missing: problem.missing_load() })
 }
 
 /// The solution on one level. A multigrid without transfers is the direct solver; conjugate

@@ -13,8 +13,12 @@ fn hierarchy() -> Hierarchy {
 
 /// How a problem is refused, if it is.
 fn refusal<P: Problem>(problem: &P) -> Option<String> {
-    let hierarchy = hierarchy();
-    match Discretisation::new(&hierarchy, problem, &Options::default()) {
+    let (hierarchy, options) = (hierarchy(), Options::default());
+    let discrete = Discretisation::new(&hierarchy, problem, &options).unwrap();
+    // A solver that is already set up refuses, too.
+    let again = discrete.solver(&options).unwrap().solve(None);
+    assert_eq!(again.is_err(), discrete.check_loaded().is_err());
+    match discrete.solve(&options) {
         Ok(_) => None,
         Err(error) => {
             assert!(matches!(error, Error::NoLoad { .. }), "{error}");

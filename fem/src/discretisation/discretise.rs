@@ -7,7 +7,7 @@ use crate::error::Error;
 use crate::options::choices::Cycle;
 use crate::options::solving::Options;
 use octruss_mesh::Hierarchy;
-use octruss_solver::{Csr, Entry, Multigrid, Nodal, SolveOptions, conjugate_gradients};
+use octruss_solver::{Csr, Multigrid, Nodal, SolveOptions, conjugate_gradients};
 use std::time::Instant;
 
 /// A problem on a hierarchy: the matrix and the right-hand side of the finest level, and
@@ -50,6 +50,8 @@ pub struct Discretisation<'h, E: Unknown = f64> {
     /// The solution of the coarsest level's own problem, where full multigrid needs
     /// one: with it the lift of prescribed values begins.
     pub(crate) coarsest: Option<Vec<E::Nodal>>,
+    /// What the problem lacks, if nothing acts.
+    missing_load: Option<&'static str>,
 }
 
 impl<'h, E: Unknown> Discretisation<'h, E> {
@@ -58,8 +60,7 @@ impl<'h, E: Unknown> Discretisation<'h, E> {
     /// lift prescribed values.
     ///
     /// # Errors
-    /// [`Error`] tells what is wrong with the data of the problem; [`Error::NoLoad`] if nothing
-    /// acts on it.
+    /// [`Error`] tells what is wrong with the data of the problem.
     pub fn new<P: Problem<Entry = E>>(
         hierarchy: &'h Hierarchy,
         problem: &P,
@@ -77,7 +78,7 @@ impl<'h, E: Unknown> Discretisation<'h, E> {
         }
         let Assembled { matrix, rhs, constraints } = problem.assemble(finest)?;
         levels.push(E::level(&constraints));
-        check_loaded(problem, &rhs, &levels)?;
+        let missing_load = is_without_load(&rhs, &levels).then(|| problem.missing_load());
         // Assembled anew even where its matrix is at hand: only here is its load wanted.
         let lifts =
             options.cycle() == Cycle::Full && !levels.iter().all(LevelUnknowns::is_homogeneous);
@@ -94,7 +95,17 @@ impl<'h, E: Unknown> Discretisation<'h, E> {
             coarse_matrices,
             reassembly_seconds,
             coarsest,
+            missing_load,
         })
+    }
+
+    /// Checks that something acts on what is free, or that a value other than 0 is prescribed:
+    /// solving refuses what else has the solution 0.
+    ///
+    /// # Errors
+    /// [`Error::NoLoad`].
+    pub fn check_loaded(&self) -> Result<(), Error> {
+        self.missing_load.map_or(Ok(()), |missing| Err(Error::NoLoad { missing }))
     }
 
     /// The unknowns of the finest level.
@@ -124,19 +135,12 @@ impl<'h, E: Unknown> Discretisation<'h, E> {
     }
 }
 
-/// Refuses a problem in which all that acts and all that is prescribed is 0: its solution is,
-/// too, and most likely something was forgotten.
-fn check_loaded<P: Problem>(
-    problem: &P,
-    rhs: &[<P::Entry as Entry>::Nodal],
-    levels: &[LevelUnknowns<P::Entry>],
-) -> Result<(), Error> {
+/// Whether nothing acts and nothing is prescribed: all of the solution is 0, and most likely
+/// something was forgotten.
+fn is_without_load<E: Unknown>(rhs: &[E::Nodal], levels: &[LevelUnknowns<E>]) -> bool {
     let acts = Nodal::flat(rhs).iter().any(|value| *value != 0.0);
     let is_prescribed = !levels.iter().all(LevelUnknowns::is_homogeneous);
-    if acts || is_prescribed || rhs.is_empty() {
-        return Ok(());
-    }
-    Err(Error::NoLoad { missing: problem.missing_load() })
+    !(acts || is_prescribed || rhs.is_empty())
 }
 
 /// The solution on one level. A multigrid without transfers is the direct solver; conjugate

@@ -35,9 +35,10 @@ impl<E: Unknown> Solver<'_, E> {
     /// Solves the problem; `progress` hears of each iteration and may stop it.
     ///
     /// # Errors
-    /// As [`conjugate_gradients`], in [`Error::Solver`]: what an iteration left behind
+    /// [`Error::NoLoad`] if nothing acts; as [`conjugate_gradients`], in [`Error::Solver`]: what an iteration left behind
     /// that did not reach its goal is in [`Error::unfinished`].
     pub fn solve(&mut self, progress: Option<EachIteration>) -> Result<Solution<E>, Error> {
+        self.discretisation.check_loaded()?;
         let Discretisation { matrix, rhs, .. } = self.discretisation;
         let start = Instant::now();
         let full_pass = self
@@ -109,6 +110,7 @@ impl<E: Unknown> Discretisation<'_, E> {
     /// # Errors
     /// As [`Discretisation::solver`] and [`Solver::solve`].
     pub fn solve(&self, options: &Options) -> Result<Solution<E>, Error> {
+        self.check_loaded()?;
         self.solver(options)?.solve(None)
     }
 }

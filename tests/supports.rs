@@ -16,13 +16,16 @@ fn shaft() -> Dataset {
     Dataset { mesh, ..Dataset::default() }
 }
 
+const LINEAR: &str = "scheme = \"linear\"";
+const SMOOTH: &str = "scheme = \"box-spline\"";
+
 /// The notes of a solve on the shaft, refined so, and what is said on stderr.
-fn notes(scheme: &str, fixed: &str) -> (Vec<String>, String) {
+fn notes(subdivide: &str, fixed: &str) -> (Vec<String>, String) {
     let folder = tempfile::tempdir().unwrap();
     octruss_meshio::write(&folder.path().join("shaft.vtu"), &shaft()).unwrap();
     let config = format!(
         "name = \"c\"\n[[stage]]\nkind = \"import\"\npath = \"shaft.vtu\"\n[[stage]]\n\
-         kind = \"check\"\n[[stage]]\nkind = \"subdivide\"\nlevels = 1\nscheme = \"{scheme}\"\n\
+         kind = \"check\"\n[[stage]]\nkind = \"subdivide\"\nlevels = 1\n{subdivide}\n\
          [[stage]]\nkind = \"solve\"\nproblem = \"elasticity\"\n\
          material = {{ young = 2.6, poisson = 0.3 }}\nfixed = [{fixed}]\n\
          traction = [{{ surface = \"z1\", value = [\"-y\", \"x\", 0] }}]\n\
@@ -40,7 +43,7 @@ fn notes(scheme: &str, fixed: &str) -> (Vec<String>, String) {
 fn flat_facets_of_a_curved_bearing_are_remarked() {
     let clamp = "{ surface = \"z0\", value = [0, 0, 0] }";
     let bearing = format!("{clamp}, {{ surface = \"x0\", normal = 0 }}");
-    let (linear, said) = notes("linear", &bearing);
+    let (linear, said) = notes(LINEAR, &bearing);
     assert_eq!(linear.len(), 1, "{linear:?}");
     assert!(
         linear[0].starts_with(
@@ -51,6 +54,23 @@ fn flat_facets_of_a_curved_bearing_are_remarked() {
     );
     assert!(said.contains(&linear[0]), "{said}");
     // Smoothly refined it may slide, and planes may in any case.
-    assert_eq!(notes("box-spline", &bearing).0.len(), 0);
-    assert_eq!(notes("linear", &format!("{clamp}, {{ surface = \"z1\", normal = 0 }}")).0.len(), 0);
+    assert_eq!(notes(SMOOTH, &bearing).0.len(), 0);
+    assert_eq!(notes(LINEAR, &format!("{clamp}, {{ surface = \"z1\", normal = 0 }}")).0.len(), 0);
+}
+
+#[test]
+fn a_ridge_between_two_halves_of_a_bearing_is_remarked() {
+    let halves = "{ surface = \"z0\", value = [0, 0, 0] }, { surface = \"x0\", normal = 0 }, \
+                  { surface = \"y0\", normal = 0 }";
+    let (ridge, said) = notes(SMOOTH, halves);
+    assert_eq!(ridge.len(), 1, "{ridge:?}");
+    assert!(
+        ridge[0]
+            .starts_with("the surfaces `x0` and `y0`, both held along their normals, meet at a")
+            && ridge[0].contains("`group-borders = false`"),
+        "{ridge:?}"
+    );
+    assert!(said.contains(&ridge[0]), "{said}");
+    let round = format!("{SMOOTH}\ngroup-borders = false");
+    assert_eq!(notes(&round, halves).0.len(), 0);
 }

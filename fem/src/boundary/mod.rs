@@ -5,6 +5,7 @@ pub mod dofs;
 pub mod held_vertex;
 pub mod hinged_bodies;
 pub mod level_unknowns;
+pub mod locking;
 pub mod motions;
 pub mod noisy_planes;
 pub mod rigid_modes;

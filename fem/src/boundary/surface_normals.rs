@@ -11,7 +11,7 @@ use octruss_base::vector3::{Vector3, add, dot3, length, scale};
 use octruss_mesh::{TetMesh, Topology};
 
 /// The cosine of 40°: triangles further apart hold a vertex each for themselves.
-const SMOOTH: f64 = 0.766_044_443_118_978;
+pub(crate) const SMOOTH: f64 = 0.766_044_443_118_978;
 
 /// Where triangles go round so far that their mean has less than this share of their
 /// size, as at the tip of a spike of 60°, no mean stands for them.
@@ -39,7 +39,7 @@ pub(crate) struct VertexNormal {
     /// The last listed support of its triangles.
     pub(crate) support: usize,
     /// Whether some of its triangles are off it by more than noise.
-    is_curved: bool,
+    pub(crate) is_curved: bool,
 }
 
 /// The triangles of all supports that hold normals, each once, in the order of their
@@ -129,27 +129,6 @@ fn mean(facets: &[&Facet]) -> Option<Vector3> {
     let sum = facets.iter().fold([0.0; 3], add_to);
     let size: f64 = facets.iter().map(|facet| facet.double_area).sum();
     (length(sum) > LEAST_MEAN * size).then(|| scale(1.0 / length(sum), sum))
-}
-
-/// The surfaces held along normals that are curved, ascending: where triangles that hold a
-/// vertex together differ by more than noise.
-///
-/// Where linear refinement splits such a triangle, the new vertices inside it are held along
-/// its own normal, its corners along others: the facet locks what should slide round.
-///
-/// # Errors
-/// As for the constraints of these supports.
-pub fn curved_supports(
-    mesh: &TetMesh,
-    topology: &Topology,
-    supports: &[Support],
-) -> Result<Vec<i32>, Error> {
-    let normals = vertex_normals(&facets(mesh, topology, supports)?);
-    let curved = normals.iter().filter(|normal| normal.is_curved);
-    let mut surfaces: Vec<i32> = curved.map(|normal| supports[normal.support].surface).collect();
-    surfaces.sort_unstable();
-    surfaces.dedup();
-    Ok(surfaces)
 }
 
 #[cfg(test)]

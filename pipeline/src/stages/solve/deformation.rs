@@ -6,7 +6,7 @@ use super::body::Body;
 use super::elasticity::{ElasticityKeys, problem};
 use super::in_turn::{blank_outside, discretise, solve_in_turn};
 use super::keys::Solve;
-use super::locked_facets::locked_facets;
+use super::locked_supports::locked_supports;
 use super::outcome::Outcome;
 use crate::error::Error;
 use crate::stages::context::Context;
@@ -24,8 +24,8 @@ pub(super) fn solve(
 ) -> Result<Outcome, Error> {
     let finest = hierarchy.finest();
     let problem = problem(keys, finest.mesh.raw(), context)?;
-    let notes =
-        locked_facets(&problem, hierarchy).map_err(|source| context.solver("supports", source))?;
+    let notes = locked_supports(&problem, hierarchy)
+        .map_err(|source| context.solver("supports", source))?;
     context.remark(&notes);
     let (discrete, assembly_seconds) = discretise(options, hierarchy, &problem, context)?;
     let length = |u: &[f64; 3]| u.iter().map(|u| u * u).sum::<f64>().sqrt();

@@ -135,6 +135,19 @@ fn a_mechanism_of_bodies_none_of_which_is_held_alone_is_solved_together() {
 }
 
 #[test]
+fn a_chain_of_very_many_bodies_is_left_to_the_solve() {
+    // Clamped at both ends, so that no body is loose by itself but all are together.
+    let chain = |loose: usize| {
+        let places: Vec<[f64; 3]> = (0..loose + 2).map(|k| [k as f64, k as f64, 0.0]).collect();
+        let mesh = cubes(&places);
+        assembled(&mesh, &body(vec![clamp(1), clamp(10 * (loose as i32 + 1) + 2)]))
+    };
+    let Err(Error::Hinged { modes, .. }) = chain(100) else { panic!("a hundred are looked at") };
+    assert_eq!(modes.len(), 1);
+    assert!(chain(101).is_ok());
+}
+
+#[test]
 fn hinges_are_seen_after_refinement_and_heat_passes_them() {
     let coarse = cubes(&[[0.0; 3], [1.0, 1.0, 0.0]]);
     for scheme in [Scheme::Linear, Scheme::BoxSpline] {

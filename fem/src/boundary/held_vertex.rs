@@ -138,7 +138,8 @@ mod tests {
         }
         // One that stands for itself is a second direction.
         let mut vertex = HeldVertex::free(0);
-        [x, condition(1, noisy.direction, 2.0)].map(|condition| vertex.hold(condition));
+        vertex.hold(x);
+        vertex.hold(condition(1, noisy.direction, 2.0));
         assert_eq!(vertex.directions().count(), 2);
     }
 

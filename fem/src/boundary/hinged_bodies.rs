@@ -8,7 +8,7 @@
 
 use crate::boundary::motions::{FREE, Frame, Hold, eigenvectors, free_modes};
 use crate::rigid_mode::RigidMode;
-use nalgebra::{DMatrix, DMatrixView, Matrix6, SymmetricEigen};
+use nalgebra::{DMatrix, Matrix6, SymmetricEigen};
 use octruss_base::disjoint_sets::DisjointSets;
 use octruss_base::vector3::{IDENTITY, Vector3};
 use octruss_mesh::Bodies;
@@ -103,7 +103,7 @@ impl Group<'_> {
         let null_space = eigen.eigenvectors.select_columns(&free);
         let mut motions = Vec::new();
         for (member, frame) in frames.iter().enumerate() {
-            let own: DMatrixView<f64> = null_space.rows(6 * member, 6).into();
+            let own = null_space.rows(6 * member, 6);
             let mut squares = Matrix6::zeros();
             squares.copy_from(&(own * own.transpose()));
             // Columns of the null space have length 1: what is less does not move.

@@ -253,4 +253,19 @@ mod tests {
         let unused = RawMesh { points: vec![[0.0; 3]; 9], ..five_tet_cube().into_raw() };
         assert_eq!((bodies(&unused).at(8).len(), bodies(&unused).lowest_at(8)), (0, None));
     }
+
+    #[test]
+    fn bodies_and_hinges_are_the_same_for_any_number_of_threads() {
+        let place = |k: usize| [k as f64, k as f64, (k % 3) as f64];
+        let chain = cubes(&(0..300).map(place).collect::<Vec<_>>());
+        let with = |threads: usize| {
+            let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
+            pool.install(|| (bodies(&chain), bodies(&chain).hinges(&chain.tets)))
+        };
+        let (found, hinges) = with(1);
+        // Where the height falls by two, cubes do not touch.
+        assert_eq!((found.count(), hinges.len()), (300, 200));
+        assert_eq!(with(2), (found.clone(), hinges.clone()));
+        assert_eq!(with(3), (found, hinges));
+    }
 }

@@ -42,7 +42,7 @@ const fn spoilt(change: [&'static str; 2], says: &'static str, code: i32) -> Spo
     Spoilt { change, says, code }
 }
 
-const TABLE: [Spoilt; 36] = [
+const TABLE: [Spoilt; 37] = [
     spoilt(
         ["levels", "levles"],
         "9:1: unknown key `levles` in stage `subdivide`; did you mean `levels`? (valid: ",
@@ -189,6 +189,12 @@ const TABLE: [Spoilt; 36] = [
     spoilt(
         ["fixed = [{ surface = \"x0\", value = 0 }]", ""],
         "stage `solve`, assembly: nothing is fixed",
+        1,
+    ),
+    spoilt(
+        ["value = 1 }]", "value = 0 }]"],
+        "stage `solve`, assembly: nothing acts on what is free, so the solution would be zero \
+         everywhere: source, flux, Robin and prescribed values are all 0",
         1,
     ),
 ];

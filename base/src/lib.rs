@@ -13,6 +13,7 @@
 
 pub mod choice;
 pub mod chunks;
+pub mod disjoint_sets;
 pub mod groups;
 pub mod large_array;
 pub mod ragged;

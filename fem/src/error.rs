@@ -122,6 +122,30 @@ pub enum Error {
         /// The independent motions that remain, at most six.
         modes: Vec<RigidMode>,
     },
+    /// A body that shares only edges or single vertices with the rest can move about these.
+    #[error(
+        "a body of the mesh with {vertices} vertices, among them vertex {example}, hangs on the \
+         rest by edges or single vertices only and can still move: {}; give it a face in common \
+         with the rest, hold more of it, or leave it out",
+        list(.modes)
+    )]
+    Hinged {
+        /// The size of the body.
+        vertices: usize,
+        /// Its smallest vertex number.
+        example: u32,
+        /// The independent motions that remain, at most six.
+        modes: Vec<RigidMode>,
+    },
+    /// Nothing acts on what is free, so that the solution would be zero.
+    #[error(
+        "nothing acts on what is free, so the solution would be zero everywhere: {missing}; what \
+         acts where all is fixed has no effect"
+    )]
+    NoLoad {
+        /// What the problem lacks, and what to do.
+        missing: &'static str,
+    },
 }
 
 impl Error {

@@ -47,6 +47,7 @@ pub use boundary::constraints::Constraints;
 pub use boundary::dofs::Dofs;
 pub use boundary::held_vertex::HeldVertex;
 pub use boundary::level_unknowns::LevelUnknowns;
+pub use boundary::locking::{Ridge, curved_supports, ridges};
 pub use discretisation::discretise::Discretisation;
 pub use discretisation::problem::{Assembled, Constrained, Problem};
 pub use discretisation::solution::Solution;

@@ -64,6 +64,7 @@ mod soundness;
 mod subdivide;
 mod transfer;
 
+pub use core::bodies::{Bodies, Hinge};
 pub use core::locality::{Renumbering, sort_along_curve};
 pub use core::raw_mesh::{Features, Group, RawMesh, Tagged};
 pub use core::reference_tet::CellState;

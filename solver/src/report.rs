@@ -73,12 +73,12 @@ pub struct Unfinished {
 
 impl Unfinished {
     /// Whether the last quarter of the iterations, at least ten, did not halve the residual
-    /// that was reached before, or there are fewer than ten.
+    /// that was reached before.
     pub fn has_stalled(&self) -> bool {
         let history = &self.report.residual_history;
         let last = (history.len() / 4).max(10);
         let smallest = |part: &[f64]| part.iter().copied().fold(f64::INFINITY, f64::min);
-        let Some(before) = history.len().checked_sub(last) else { return true };
+        let Some(before) = history.len().checked_sub(last) else { return false };
         let [before, after] = [&history[..before], &history[before..]].map(smallest);
         // Written so that NaN counts.
         !(after < 0.5 * before)

@@ -54,7 +54,8 @@ impl VectorSystem {
 /// and [`Error::UnknownRegion`] for data without a place; [`Error::Coefficient`],
 /// [`Error::SurfaceCoefficient`], [`Error::BoundaryValue`], [`Error::Load`] and
 /// [`octruss_solver::Error::NotFinite`] for senseless numbers; [`Error::RigidModes`] if a
-/// connected part of the mesh can move as a rigid body; [`octruss_solver::Error::Size`] if the
+/// connected part of the mesh can move as a rigid body, [`Error::Hinged`] if a body can turn
+/// about edges or vertices on which it hangs; [`octruss_solver::Error::Size`] if the
 /// topology belongs to another mesh.
 pub fn assemble_elasticity(
     mesh: &TetMesh,
@@ -64,7 +65,7 @@ pub fn assemble_elasticity(
     check_size("tets of the topology", topology.tet_edges().len(), mesh.tets().len())?;
     let constraints = Constraints::new(mesh, topology, &problem.supports)?;
     let springs = spring_directions(mesh, topology, problem)?;
-    check_rigid_modes(mesh, &constraints, &springs)?;
+    check_rigid_modes(mesh, topology, &constraints, &springs)?;
 
     let mut couplings = edge_couplings(mesh, topology, problem)?;
     let row_sums = add_springs(mesh, topology, problem, &mut couplings)?;

@@ -5,7 +5,9 @@ use crate::assemble::blame;
 use crate::assemble::foundation::Foundation;
 use crate::assemble::load::{add_at, tet_load, triangle_load};
 use crate::assemble::scatter::{Scatter, Sums};
-use crate::boundary::surface::{OutwardTriangle, check_attached, outward_triangles, triangles_of};
+use crate::boundary::surface::{
+    OutwardTriangle, check_attached, outward_triangles, tet_of, triangles_of,
+};
 use crate::error::Error;
 use crate::problem::elasticity::{Elasticity, Stiffness, Vector};
 use crate::problem::scalar::{Scalar, values_at};
@@ -108,8 +110,8 @@ pub(crate) fn add_springs(
     Ok(foundation.into_row_sums())
 }
 
-/// Where springs hold in which direction: a vertex of the triangle, the position
-/// and the direction.
+/// Where springs hold in which direction: a tet of the triangle, the position and
+/// the direction.
 pub(crate) fn spring_directions(
     mesh: &TetMesh,
     topology: &Topology,
@@ -117,10 +119,11 @@ pub(crate) fn spring_directions(
 ) -> Result<Vec<(u32, Vector3, Vector3)>, Error> {
     let mut all = Vec::new();
     for_springs(mesh, topology, problem, |_, triangle, corners, stiffness| {
+        let tet = tet_of(topology, triangle);
         for (a, b) in [(0, 1), (0, 2), (1, 2)] {
             let middle = std::array::from_fn(|k| 0.5 * (corners[a][k] + corners[b][k]));
             let tied = stiffness(middle).into_iter().filter(|(_, k)| *k > 0.0);
-            all.extend(tied.map(|(direction, _)| (triangle[a], middle, direction)));
+            all.extend(tied.map(|(direction, _)| (tet, middle, direction)));
         }
     })?;
     Ok(all)

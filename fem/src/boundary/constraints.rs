@@ -8,16 +8,16 @@
 
 use crate::boundary::dofs::Dofs;
 use crate::boundary::held_vertex::{Condition, HeldVertex};
-use crate::boundary::surface::{check_surface, outward_triangles, triangles_of};
+use crate::boundary::noisy_planes::meant_directions;
+use crate::boundary::surface::{check_surface, triangles_of};
+use crate::boundary::surface_normals::{VertexNormal, facets, vertex_normals};
 use crate::error::Error;
 use crate::problem::elasticity::{Held, Support};
 use crate::problem::scalar::Scalar;
-use octruss_base::vector3::{IDENTITY, Vector3, add, apply, dot3, length, scale};
+use octruss_base::vector3::{IDENTITY, Vector3, add, apply};
 use octruss_mesh::{TetMesh, Topology};
 use octruss_solver::check_size;
-
-/// The cosine of 40°: normals further apart hold a vertex each for themselves.
-const SAME_NORMAL: f64 = 0.766_044_443_118_978;
+use std::cmp::Reverse;
 
 /// The held vertices of a mesh, ascending, and the numbering of its unknowns.
 #[derive(Debug, Clone, PartialEq)]
@@ -29,7 +29,8 @@ pub struct Constraints {
 impl Constraints {
     /// The constraints that supports put on a mesh; for the levels of a hierarchy
     /// the same supports on each mesh. Where a vertex is held in one direction
-    /// twice, the last listed support wins.
+    /// twice, the last listed support wins. All that is held along normals is one
+    /// surface, with one normal where groups or supports meet smoothly.
     ///
     /// # Errors
     /// [`Error::UnknownSurface`]; [`Error::DetachedSurface`] and
@@ -37,20 +38,13 @@ impl Constraints {
     /// outside; [`Error::BoundaryValue`].
     pub fn new(mesh: &TetMesh, topology: &Topology, supports: &[Support]) -> Result<Self, Error> {
         check_size("vertices of the topology", topology.vertex_count(), mesh.points().len())?;
-        const FREE: u32 = u32::MAX;
-        let mut slots = vec![FREE; mesh.points().len()];
         let mut held: Vec<HeldVertex> = Vec::new();
-        for (index, support) in supports.iter().enumerate().rev() {
-            for (vertex, direction, value) in conditions(mesh, topology, support)? {
-                let slot = &mut slots[vertex as usize];
-                if *slot == FREE {
-                    *slot = held.len() as u32;
-                    held.push(HeldVertex::free(vertex));
-                }
-                held[*slot as usize].hold(Condition { support: index, direction, value });
+        for (vertex, condition) in conditions(mesh, topology, supports)? {
+            if held.last().is_none_or(|last| last.vertex != vertex) {
+                held.push(HeldVertex::free(vertex));
             }
+            held.last_mut().expect("it was pushed").hold(condition);
         }
-        held.sort_unstable_by_key(|vertex| vertex.vertex);
         let clamped = held.iter().filter(|v| v.is_clamped()).map(|v| v.vertex);
         Ok(Self { dofs: Dofs::without(mesh, clamped), held })
     }
@@ -127,69 +121,45 @@ impl ByVertex<'_> {
     }
 }
 
-/// (vertex, direction, value) of all conditions of one support.
+/// All conditions, vertex by vertex in ascending order, at each the last listed support
+/// first.
 fn conditions(
     mesh: &TetMesh,
     topology: &Topology,
-    support: &Support,
-) -> Result<Vec<(u32, Vector3, f64)>, Error> {
-    let mut conditions = Vec::new();
-    let mut add = |vertex: u32, direction: Vector3, value: &Scalar| {
+    supports: &[Support],
+) -> Result<Vec<(u32, Condition)>, Error> {
+    let mut all = Vec::new();
+    let number_at = |support: usize, vertex: u32, value: &Scalar| {
         let position = mesh.points()[vertex as usize];
         let number = value.at(position);
-        if !number.is_finite() {
-            let told = value.told_at(position);
-            return Err(Error::BoundaryValue { surface: support.surface, vertex, told });
+        if number.is_finite() {
+            return Ok(number);
         }
-        conditions.push((vertex, direction, number));
-        Ok(())
+        let (surface, told) = (supports[support].surface, value.told_at(position));
+        Err(Error::BoundaryValue { surface, vertex, told })
     };
-    match &support.held {
-        Held::Components(components) => {
-            check_surface(mesh, support.surface)?;
-            for vertex in distinct(triangles_of(mesh, support.surface).flatten().collect()) {
-                for (axis, value) in IDENTITY.into_iter().zip(components) {
-                    value.as_ref().map_or(Ok(()), |value| add(vertex, axis, value))?;
-                }
-            }
-        }
-        Held::Normal(value) => {
-            for (vertex, normal) in vertex_normals(mesh, topology, support.surface)? {
-                add(vertex, normal, value)?;
+    for (support, Support { surface, held }) in supports.iter().enumerate() {
+        let Held::Components(components) = held else { continue };
+        check_surface(mesh, *surface)?;
+        for vertex in distinct(triangles_of(mesh, *surface).flatten().collect()) {
+            for (direction, value) in IDENTITY.into_iter().zip(components) {
+                let Some(value) = value else { continue };
+                let value = number_at(support, vertex, value)?;
+                all.push((vertex, Condition { support, direction, meant: direction, value }));
             }
         }
     }
-    Ok(conditions)
-}
-
-/// The mean normals, of length 1, at each vertex of a surface: one, or several
-/// where normals differ by more than 40°.
-fn vertex_normals(
-    mesh: &TetMesh,
-    topology: &Topology,
-    surface: i32,
-) -> Result<Vec<(u32, Vector3)>, Error> {
-    let mut at_vertices: Vec<(u32, Vector3)> = outward_triangles(mesh, topology, surface)?
-        .into_iter()
-        .flat_map(|triangle| triangle.vertices.map(|vertex| (vertex, triangle.double_area)))
-        .collect();
-    at_vertices.sort_by_key(|(vertex, _)| *vertex);
-    let mut normals = Vec::new();
-    for same_vertex in at_vertices.chunk_by(|a, b| a.0 == b.0) {
-        let mut groups: Vec<Vector3> = Vec::new();
-        for &(_, normal) in same_vertex {
-            let is_near = |group: &&mut Vector3| {
-                dot3(**group, normal) >= SAME_NORMAL * length(**group) * length(normal)
-            };
-            match groups.iter_mut().find(is_near) {
-                Some(group) => *group = add(*group, normal),
-                None => groups.push(normal),
-            }
-        }
-        let unit = |normal: Vector3| scale(1.0 / length(normal), normal);
-        normals.extend(groups.into_iter().map(|group| (same_vertex[0].0, unit(group))));
+    let facets = facets(mesh, topology, supports)?;
+    let normals = vertex_normals(&facets);
+    for (&VertexNormal { vertex, normal, support, .. }, meant) in
+        normals.iter().zip(meant_directions(&facets, &normals))
+    {
+        let Held::Normal(value) = &supports[support].held else { continue };
+        let value = number_at(support, vertex, value)?;
+        all.push((vertex, Condition { support, direction: normal, meant, value }));
     }
-    Ok(normals)
+    all.sort_by_key(|(vertex, condition)| (*vertex, Reverse(condition.support)));
+    Ok(all)
 }
 
 fn distinct(mut vertices: Vec<u32>) -> Vec<u32> {

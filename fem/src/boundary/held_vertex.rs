@@ -6,8 +6,8 @@ use octruss_base::vector3::{
 
 /// Directions this close (the sine of the angle between a direction and those
 /// held already) count as held: 0.06°, some ten times what coordinates with six
-/// digits leave.
-const SAME_DIRECTION: f64 = 1e-3;
+/// digits leave. Noisier planes are told by what their normals stand for.
+pub(crate) const SAME_DIRECTION: f64 = 1e-3;
 
 /// A vertex with up to three independent conditions direction · u = value.
 #[derive(Debug, Clone, PartialEq)]
@@ -21,6 +21,8 @@ pub struct HeldVertex {
     conditions: Vec<Condition>,
     /// The directions made orthonormal, with the values along them.
     basis: Vec<(Vector3, f64)>,
+    /// What the directions stand for, made orthonormal.
+    meant: Vec<Vector3>,
 }
 
 /// direction · u = value.
@@ -30,6 +32,9 @@ pub(crate) struct Condition {
     pub(crate) support: usize,
     /// Of length 1.
     pub(crate) direction: Vector3,
+    /// What the direction is but for noise, of length 1: decides whether it is held
+    /// already.
+    pub(crate) meant: Vector3,
     pub(crate) value: f64,
 }
 
@@ -41,11 +46,14 @@ impl HeldVertex {
             value: [0.0; 3],
             conditions: Vec::new(),
             basis: Vec::new(),
+            meant: Vec::new(),
         }
     }
 
-    /// Adds a condition unless its direction is held already.
+    /// Adds a condition unless its direction, or what it stands for, is held already.
     pub(crate) fn hold(&mut self, condition: Condition) {
+        let along = |sum, &held: &Vector3| subtract(sum, scale(dot3(held, condition.meant), held));
+        let meant = self.meant.iter().fold(condition.meant, along);
         let (mut rest, mut value) = (condition.direction, condition.value);
         for &(held, along) in &self.basis {
             let share = dot3(held, condition.direction);
@@ -53,9 +61,10 @@ impl HeldVertex {
             value -= share * along;
         }
         let size = length(rest);
-        if size <= SAME_DIRECTION || self.is_clamped() {
+        if length(meant) <= SAME_DIRECTION || size <= SAME_DIRECTION || self.is_clamped() {
             return;
         }
+        self.meant.push(scale(1.0 / length(meant), meant));
         let (direction, value) = (scale(1.0 / size, rest), value / size);
         self.basis.push((direction, value));
         self.conditions.push(condition);
@@ -113,7 +122,25 @@ mod tests {
     use super::*;
 
     fn condition(support: usize, direction: Vector3, value: f64) -> Condition {
-        Condition { support, direction, value }
+        Condition { support, direction, meant: direction, value }
+    }
+
+    #[test]
+    fn a_noisy_normal_that_stands_for_a_held_axis_holds_nothing_more() {
+        let x = condition(0, [1.0, 0.0, 0.0], 2.0);
+        let (cos, sin) = (0.03_f64.cos(), 0.03_f64.sin());
+        let noisy = Condition { meant: x.direction, ..condition(1, [cos, 0.0, sin], 2.0) };
+        for [first, second] in [[x, noisy], [noisy, x]] {
+            let mut vertex = HeldVertex::free(0);
+            vertex.hold(first);
+            vertex.hold(second);
+            assert_eq!(vertex.directions().collect::<Vec<_>>(), [first.direction]);
+        }
+        // One that stands for itself is a second direction.
+        let mut vertex = HeldVertex::free(0);
+        vertex.hold(x);
+        vertex.hold(condition(1, noisy.direction, 2.0));
+        assert_eq!(vertex.directions().count(), 2);
     }
 
     #[test]

@@ -1,186 +1,80 @@
-//! Which motions without deformation the constraints of a body leave.
+//! Whether constraints leave a body motions without deformation.
 
 use crate::boundary::constraints::Constraints;
+use crate::boundary::hinged_bodies::loose_body;
+use crate::boundary::motions::{Hold, free_modes};
 use crate::error::Error;
-use crate::rigid_mode::{ROUNDING, RigidMode};
-use nalgebra::{Matrix6, RowVector6, SymmetricEigen, Vector6};
-use octruss_base::vector3::{Vector3, add, cross, dot3, length, scale, subtract};
-use octruss_mesh::TetMesh;
-use octruss_mesh::components::part_of_vertices;
-use std::collections::BTreeMap;
+use octruss_base::disjoint_sets::DisjointSets;
+use octruss_base::vector3::Vector3;
+use octruss_mesh::{Bodies, TetMesh, Topology};
 
-/// Motions that change the held directions by less than this, relative to what a
-/// held motion does, squared, count as free.
-const FREE: f64 = 1e-12;
-
-/// Checks that the constraints, and springs with a stiffness in these (position,
-/// direction) for each vertex given, leave no part of the mesh a rigid motion.
+/// Checks that the constraints, and springs with a stiffness in these (tet, position,
+/// direction), leave no part of the mesh a rigid motion, and no body of it one about hinges
+/// on which it hangs.
 pub(crate) fn check_rigid_modes(
     mesh: &TetMesh,
+    topology: &Topology,
     constraints: &Constraints,
     springs: &[(u32, Vector3, Vector3)],
 ) -> Result<(), Error> {
-    let parts = part_of_vertices(mesh.raw());
-    let mut held: BTreeMap<u32, Vec<(Vector3, Vector3)>> = BTreeMap::new();
-    for tet in mesh.tets() {
-        held.entry(parts[tet[0] as usize]).or_default();
-    }
-    let mut hold = |vertex: u32, position: Vector3, direction: Vector3| {
-        // Vertices that no tet uses are parts of their own and hold nothing.
-        if let Some(part) = held.get_mut(&parts[vertex as usize]) {
-            part.push((position, direction));
-        }
-    };
+    let bodies = Bodies::new(mesh.tets(), mesh.points().len(), topology.face_tets());
+    let mut held: Vec<Vec<Hold>> = vec![Vec::new(); bodies.count()];
     for vertex in constraints.held() {
         let position = mesh.points()[vertex.vertex as usize];
-        vertex.directions().for_each(|direction| hold(vertex.vertex, position, direction));
-    }
-    springs.iter().for_each(|&(vertex, position, direction)| hold(vertex, position, direction));
-    for (part, held) in held {
-        let modes = free_modes(&held, || mesh.points()[part as usize]);
-        if !modes.is_empty() {
-            let vertices = parts.iter().filter(|&&p| p == part).count();
-            return Err(Error::RigidModes { vertices, example: part, modes });
+        // Vertices that no tet uses hold nothing.
+        for &body in bodies.at(vertex.vertex) {
+            let holds = vertex.directions().map(|direction| (position, direction));
+            held[body as usize].extend(holds);
         }
     }
-    Ok(())
-}
-
-/// The motions that leave direction · u = 0 at all held positions.
-fn free_modes(held: &[(Vector3, Vector3)], anywhere: impl Fn() -> Vector3) -> Vec<RigidMode> {
-    let count = held.len().max(1) as f64;
-    let sum = held.iter().fold([0.0; 3], |sum, (position, _)| add(sum, *position));
-    let centre = if held.is_empty() { anywhere() } else { scale(1.0 / count, sum) };
-    let size = held.iter().map(|(p, _)| length(subtract(*p, centre))).fold(0.0, f64::max);
-    // A single held point has no size; any will do.
-    let size = if size > 1e-9 * length(centre) { size } else { 1.0 };
-    let mut gram = Matrix6::zeros();
-    for (position, direction) in held {
-        // direction · (t + ω × x) = direction · t + (x × direction) · ω.
-        let arm = scale(1.0 / size, subtract(*position, centre));
-        let [a, b, c] = cross(arm, *direction);
-        let [d, e, f] = *direction;
-        let row = Vector6::new(a, b, c, d, e, f);
-        gram += row * row.transpose();
+    for &(tet, position, direction) in springs {
+        held[bodies.of_tets()[tet as usize] as usize].push((position, direction));
     }
-    let eigen = SymmetricEigen::new(gram);
-    let bound = FREE * eigen.eigenvalues.max();
-    let free = (0..6).filter(|&k| eigen.eigenvalues[k] <= bound);
-    let rows: Vec<RowVector6<f64>> =
-        free.map(|k| eigen.eigenvectors.column(k).transpose()).collect();
-    echelon(rows).iter().map(|row| mode(row, centre, size)).collect()
-}
-
-/// The same space by rows as sparse as they get: reduced row echelon form, so
-/// that rotations come first and pure translations stand alone.
-fn echelon(mut rows: Vec<RowVector6<f64>>) -> Vec<RowVector6<f64>> {
-    let mut done = 0;
-    for column in 0..6 {
-        let size = |row: usize| rows[row][column].abs();
-        let Some(best) = (done..rows.len()).max_by(|&a, &b| size(a).total_cmp(&size(b))) else {
-            break;
+    for part in parts(&bodies) {
+        let together: Vec<Hold>;
+        let all = match part[..] {
+            [body] => &held[body as usize],
+            _ => {
+                together = part.iter().flat_map(|&body| &held[body as usize]).copied().collect();
+                &together
+            }
         };
-        if size(best) < ROUNDING {
-            continue;
+        let modes = free_modes(all, || mesh.points()[lowest_vertex(mesh, &bodies, &part)]);
+        if !modes.is_empty() {
+            let vertices = vertices_of(mesh, &bodies, &part);
+            let (vertices, example) = (vertices.len(), vertices[0]);
+            return Err(Error::RigidModes { vertices, example, modes });
         }
-        rows.swap(done, best);
-        let pivot = rows[done] / rows[done][column];
-        rows[done] = pivot;
-        for other in (0..rows.len()).filter(|&other| other != done) {
-            let factor = rows[other][column];
-            rows[other] -= factor * pivot;
+    }
+    match loose_body(mesh.points(), &bodies, held) {
+        None => Ok(()),
+        Some((body, modes)) => {
+            let vertices = vertices_of(mesh, &bodies, &[body]);
+            let (vertices, example) = (vertices.len(), vertices[0]);
+            Err(Error::Hinged { vertices, example, modes })
         }
-        done += 1;
-    }
-    rows.truncate(done);
-    rows
-}
-
-/// The motion t + ω × (x − centre) / size, for the row (ω, t).
-fn mode(row: &RowVector6<f64>, centre: Vector3, size: f64) -> RigidMode {
-    let largest = row.amax();
-    let clean = |k: usize| if row[k].abs() < ROUNDING * largest { 0.0 } else { row[k] };
-    let turn: Vector3 = std::array::from_fn(clean);
-    let shift: Vector3 = std::array::from_fn(|k| clean(3 + k));
-    let angle = length(turn);
-    if angle == 0.0 {
-        return RigidMode::Translation { direction: scale(1.0 / length(shift), shift) };
-    }
-    let direction = scale(1.0 / angle, turn);
-    let offset = scale(size / (angle * angle), cross(turn, shift));
-    let point = add(centre, offset);
-    let along = size * dot3(shift, direction) / angle;
-    if along.abs() < ROUNDING * size {
-        RigidMode::Rotation { direction, point }
-    } else {
-        RigidMode::Screw { direction, point, pitch: std::f64::consts::TAU * along }
     }
 }
 
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    const X: Vector3 = [1.0, 0.0, 0.0];
-    const Y: Vector3 = [0.0, 1.0, 0.0];
-    const Z: Vector3 = [0.0, 0.0, 1.0];
-
-    fn told(held: &[(Vector3, Vector3)]) -> Vec<String> {
-        free_modes(held, || [1.0, 2.0, 3.0]).iter().map(RigidMode::to_string).collect()
+/// The bodies that hang together by whatever they have in common, ascending.
+fn parts(bodies: &Bodies) -> Vec<Vec<u32>> {
+    let mut sets = DisjointSets::new(bodies.count());
+    for (_, meeting) in bodies.shared() {
+        meeting[1..].iter().for_each(|&body| sets.join(meeting[0], body));
     }
+    let mut members: Vec<(u32, u32)> =
+        (0..bodies.count() as u32).map(|body| (sets.lowest(body), body)).collect();
+    members.sort_unstable();
+    let part = |same: &[(u32, u32)]| same.iter().map(|(_, body)| *body).collect();
+    members.chunk_by(|a, b| a.0 == b.0).map(part).collect()
+}
 
-    #[test]
-    fn nothing_held_leaves_all_six() {
-        assert_eq!(
-            told(&[]),
-            [
-                "rotation about x through (1.0000, 2.0000, 3.0000)",
-                "rotation about y through (1.0000, 2.0000, 3.0000)",
-                "rotation about z through (1.0000, 2.0000, 3.0000)",
-                "translation along x",
-                "translation along y",
-                "translation along z",
-            ]
-        );
-    }
+/// The vertices of some bodies (ascending), ascending.
+fn vertices_of(mesh: &TetMesh, bodies: &Bodies, some: &[u32]) -> Vec<u32> {
+    let is_one = |v: &u32| bodies.at(*v).iter().any(|body| some.binary_search(body).is_ok());
+    (0..mesh.points().len() as u32).filter(is_one).collect()
+}
 
-    #[test]
-    fn a_clamped_point_leaves_rotations_and_a_clamped_line_one() {
-        let clamp = |p: Vector3| [(p, X), (p, Y), (p, Z)];
-        let point = told(&clamp([5.0, 0.0, 7.0]));
-        assert_eq!(point.len(), 3);
-        assert_eq!(point[1], "rotation about y through (5.0000, 0.0000, 7.0000)");
-        let line = [clamp([1.0, 1.0, 0.0]), clamp([1.0, 1.0, 4.0])].concat();
-        assert_eq!(told(&line), ["rotation about z through (1.0000, 1.0000, 2.0000)"]);
-        let plane = [clamp([0.0; 3]), clamp([1e-3, 0.0, 0.0]), clamp([0.0, 1e-3, 0.0])].concat();
-        assert_eq!(told(&plane), [""; 0]);
-    }
-
-    #[test]
-    fn a_plane_slides_and_turns_and_a_skew_direction_is_told_by_components() {
-        let plane = [(X, Z), (Y, Z), ([0.0; 3], Z)];
-        let modes = told(&plane);
-        assert!(modes[0].starts_with("rotation about z through"), "{modes:?}");
-        assert_eq!(&modes[1..], ["translation along x", "translation along y"]);
-        // x and y are tied by their sum: what is left of them is their difference.
-        let tie = [0.6, 0.8, 0.0];
-        let skew = [(X, Z), (Y, Z), ([0.0; 3], Z), (X, tie), (Y, tie)];
-        assert_eq!(told(&skew), ["translation along (0.8000, -0.6000, 0.0000)"]);
-    }
-
-    #[test]
-    fn a_nut_on_a_thread_has_a_screw_left() {
-        // Points on the unit circle that may not leave radially, and whose way up
-        // is tied to the way round: u_z = 0.5 u_round.
-        let held: Vec<_> = (0..5)
-            .flat_map(|k| {
-                let (sin, cos) = (f64::from(k) * 1.1).sin_cos();
-                let tie = [0.5 * sin, -0.5 * cos, 1.0];
-                let p = [3.0 + cos, sin, 0.0];
-                [(p, [cos, sin, 0.0]), (p, tie)]
-            })
-            .collect();
-        // A whole turn is 2π round and half of that up.
-        assert_eq!(told(&held), ["screw along z through (3.0000, 0.0000, 0.0000), 3.1416 a turn"]);
-    }
+fn lowest_vertex(mesh: &TetMesh, bodies: &Bodies, some: &[u32]) -> usize {
+    vertices_of(mesh, bodies, some)[0] as usize
 }

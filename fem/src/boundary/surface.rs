@@ -72,6 +72,11 @@ pub(crate) fn outward_triangles(
     Ok(triangles_of(mesh, surface).map(outward).collect())
 }
 
+/// The first tet on a triangle; [`NONE`] where there is none.
+pub(crate) fn tet_of(topology: &Topology, triangle: [u32; 3]) -> u32 {
+    face_tets(topology, triangle)[0]
+}
+
 fn face_tets(topology: &Topology, triangle: [u32; 3]) -> [u32; 2] {
     let face = topology.face_of(triangle);
     face.map_or([NONE; 2], |face| topology.face_tets()[face as usize])

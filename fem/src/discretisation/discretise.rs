@@ -8,7 +8,7 @@ use crate::options::choices::Cycle;
 use crate::options::prolongations::Prolongations;
 use crate::options::solving::Options;
 use octruss_mesh::{Hierarchy, Level};
-use octruss_solver::{Csr, Multigrid, NearNullSpace, SolveOptions, conjugate_gradients};
+use octruss_solver::{Csr, Multigrid, NearNullSpace, Nodal, SolveOptions, conjugate_gradients};
 use std::time::Instant;
 
 /// A problem on a hierarchy: the matrix and the right-hand side of the finest level, and
@@ -53,6 +53,8 @@ pub struct Discretisation<'h, E: Unknown = f64> {
     /// The solution of the coarsest level's own problem, where full multigrid needs
     /// one: with it the lift of prescribed values begins.
     pub(crate) coarsest: Option<Vec<E::Nodal>>,
+    /// What the problem lacks, if nothing acts.
+    missing_load: Option<&'static str>,
 }
 
 impl<'h, E: Unknown> Discretisation<'h, E> {
@@ -79,6 +81,7 @@ impl<'h, E: Unknown> Discretisation<'h, E> {
         }
         let Assembled { matrix, rhs, constraints } = problem.assemble(finest)?;
         levels.push(E::level(&constraints));
+        let missing_load = is_without_load(&rhs, &levels).then(|| problem.missing_load());
         // Assembled anew even where its matrix is at hand: only here is its load wanted.
         let lifts =
             options.cycle() == Cycle::Full && !levels.iter().all(LevelUnknowns::is_homogeneous);
@@ -99,7 +102,17 @@ impl<'h, E: Unknown> Discretisation<'h, E> {
             reassembly_seconds,
             usual_prolongation: problem.usual_prolongation(hierarchy),
             coarsest,
+            missing_load,
         })
+    }
+
+    /// Checks that something acts on what is free, or that a value other than 0 is prescribed:
+    /// solving refuses what else has the solution 0.
+    ///
+    /// # Errors
+    /// [`Error::NoLoad`].
+    pub fn check_loaded(&self) -> Result<(), Error> {
+        self.missing_load.map_or(Ok(()), |missing| Err(Error::NoLoad { missing }))
     }
 
     /// The unknowns of the finest level.
@@ -133,6 +146,14 @@ impl<'h, E: Unknown> Discretisation<'h, E> {
     pub fn project(&self, x: &mut [E::Nodal]) {
         octruss_solver::project(&self.finest().projectors, x);
     }
+}
+
+/// Whether nothing acts and nothing is prescribed: all of the solution is 0, and most likely
+/// something was forgotten.
+fn is_without_load<E: Unknown>(rhs: &[E::Nodal], levels: &[LevelUnknowns<E>]) -> bool {
+    let acts = Nodal::flat(rhs).iter().any(|value| *value != 0.0);
+    let is_prescribed = !levels.iter().all(LevelUnknowns::is_homogeneous);
+    !(acts || is_prescribed || rhs.is_empty())
 }
 
 fn near_null_space<E: Unknown>(level: &Level, unknowns: &LevelUnknowns<E>) -> NearNullSpace {

@@ -11,6 +11,7 @@ use crate::options::prolongations::Prolongations;
 use crate::problem::biharmonic::Biharmonic;
 use crate::problem::elasticity::Elasticity;
 use crate::problem::poisson::Poisson;
+use crate::problem::scalar::Scalar;
 use octruss_mesh::{Hierarchy, Level, Scheme};
 use octruss_solver::Csr;
 
@@ -33,6 +34,12 @@ pub trait Problem {
     /// # Errors
     /// [`Error`] tells what is wrong with the data of the problem.
     fn assemble(&self, level: &Level) -> Result<Assembled<Self::Entry>, Error>;
+
+    /// What a problem lacks whose right-hand side and prescribed values are all 0, and what to
+    /// do, for [`Error::NoLoad`].
+    fn missing_load(&self) -> &'static str {
+        "all loads and prescribed values are 0; give one that is not"
+    }
 }
 
 /// The constraints of a problem.
@@ -75,6 +82,10 @@ impl Problem for Poisson {
     fn assemble(&self, level: &Level) -> Result<Assembled<f64>, Error> {
         assemble(&level.mesh, &level.topology, self).map(Assembled::from)
     }
+
+    fn missing_load(&self) -> &'static str {
+        "source, flux, Robin and prescribed values are all 0; give one that is not"
+    }
 }
 
 impl Problem for Biharmonic {
@@ -91,6 +102,10 @@ impl Problem for Biharmonic {
 
     fn assemble(&self, level: &Level) -> Result<Assembled<f64>, Error> {
         assemble_biharmonic(&level.mesh, &level.topology, self).map(Assembled::from)
+    }
+
+    fn missing_load(&self) -> &'static str {
+        "the source and all prescribed values are 0; give one that is not"
     }
 }
 
@@ -111,5 +126,14 @@ impl Problem for Elasticity {
 
     fn assemble(&self, level: &Level) -> Result<Assembled<[[f64; 3]; 3]>, Error> {
         assemble_elasticity(&level.mesh, &level.topology, self).map(Assembled::from)
+    }
+
+    fn missing_load(&self) -> &'static str {
+        let massless = self.material.all(|material| material.density.is_zero());
+        if massless && !self.gravity.iter().all(Scalar::is_zero) {
+            return "gravity acts on mass, and no material has any; give a density";
+        }
+        "body force, gravity times density, tractions, pressures and prescribed displacements are \
+         all 0; give one that is not"
     }
 }

@@ -47,9 +47,10 @@ impl<E: Unknown> Solver<'_, E> {
     /// up again in double, and the iteration goes on.
     ///
     /// # Errors
-    /// As [`conjugate_gradients`], in [`Error::Solver`]: what an iteration left behind
-    /// that did not reach its goal is in [`Error::unfinished`].
+    /// [`Error::NoLoad`] if nothing acts; as [`conjugate_gradients`], in [`Error::Solver`]:
+    /// what an iteration left behind that did not reach its goal is in [`Error::unfinished`].
     pub fn solve(&mut self, progress: Option<EachIteration>) -> Result<Solution<E>, Error> {
+        self.discretisation.check_loaded()?;
         let error = match self.attempt(None, progress) {
             Err(error) if self.options.precision.is_none() => error,
             done => return done,
@@ -152,6 +153,7 @@ impl<E: Unknown> Discretisation<'_, E> {
     /// # Errors
     /// As [`Discretisation::solver`] and [`Solver::solve`].
     pub fn solve(&self, options: &Options) -> Result<Solution<E>, Error> {
+        self.check_loaded()?;
         self.solver(options)?.solve(None)
     }
 }

@@ -69,9 +69,11 @@ pub enum Held {
     /// Components along the coordinate axes; `None` is free.
     Components([Option<Scalar>; 3]),
     /// The component along the outward normal: 0 for a plane of symmetry, or to
-    /// slide. A vertex takes the mean normal, by area, of the surface's triangles
-    /// round it; triangles whose normals are more than 40° apart hold it each
-    /// for themselves. The surface must be on the boundary.
+    /// slide. All surfaces held so are one: a vertex takes the mean normal, by
+    /// area, of all their triangles round it, whatever groups and supports these
+    /// belong to; of these the last listed gives the value. Triangles whose
+    /// normals are more than 40° apart hold it each for themselves, unless others
+    /// between them tie them. The surface must be on the boundary.
     Normal(Scalar),
 }
 

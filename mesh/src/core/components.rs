@@ -10,51 +10,71 @@ use octruss_base::ragged::CHUNK;
 /// For each vertex the lowest vertex number of its part, where tets that share
 /// a vertex belong together. A vertex of no tet is a part of its own. Vertex
 /// numbers must be in range.
-///
-/// Parts are joined in parallel (after Anderson and Woll 1991): only a root is ever
-/// tied to another vertex, and only to a lower one, so in the end every part hangs
-/// on its lowest vertex, in whatever order threads join.
 pub fn part_of_vertices(raw: &RawMesh) -> Vec<u32> {
-    let parents: Vec<AtomicU32> = (0..raw.points.len() as u32).map(AtomicU32::new).collect();
+    let joined = Joined::new(raw.points.len());
     raw.tets.par_iter().with_min_len(CHUNK).for_each(|&[first, rest @ ..]| {
         // Vertices that ever hung on the same one are of one part, whatever others have
         // tied since; once a part has mostly formed, little is left to join.
-        let parent = |v: u32| parents[v as usize].load(Relaxed);
-        let common = parent(first);
-        rest.into_iter().filter(|v| parent(*v) != common).for_each(|v| join(&parents, first, v));
+        let common = joined.parent(first);
+        let others = rest.into_iter().filter(|v| joined.parent(*v) != common);
+        others.for_each(|v| joined.join(first, v));
     });
-    let mut roots = zeroed(parents.len());
-    let numbered = roots.par_iter_mut().with_min_len(CHUNK).zip(0..parents.len() as u32);
-    numbered.for_each(|(slot, v)| *slot = root(&parents, v));
-    roots
+    joined.lowest()
 }
 
-fn join(parents: &[AtomicU32], a: u32, b: u32) {
-    let (mut a, mut b) = (a, b);
-    loop {
-        (a, b) = (root(parents, a), root(parents, b));
-        let (low, high) = (a.min(b), a.max(b));
-        // Fails if another thread has tied the higher root in the meantime.
-        if low == high
-            || parents[high as usize].compare_exchange(high, low, Relaxed, Relaxed).is_ok()
-        {
-            return;
+/// Numbers that are joined in parallel (after Anderson and Woll 1991): only a root is ever
+/// tied to another number, and only to a lower one, so in the end every part hangs on its
+/// lowest number, in whatever order threads join.
+pub(crate) struct Joined {
+    parents: Vec<AtomicU32>,
+}
+
+impl Joined {
+    /// Each number below `count` by itself.
+    pub(crate) fn new(count: usize) -> Self {
+        Self { parents: (0..count as u32).map(AtomicU32::new).collect() }
+    }
+
+    fn parent(&self, number: u32) -> u32 {
+        self.parents[number as usize].load(Relaxed)
+    }
+
+    /// Makes one part of those of `a` and `b`.
+    pub(crate) fn join(&self, a: u32, b: u32) {
+        let (mut a, mut b) = (a, b);
+        loop {
+            (a, b) = (self.root(a), self.root(b));
+            let (low, high) = (a.min(b), a.max(b));
+            // Fails if another thread has tied the higher root in the meantime.
+            if low == high
+                || self.parents[high as usize].compare_exchange(high, low, Relaxed, Relaxed).is_ok()
+            {
+                return;
+            }
         }
     }
-}
 
-/// The representative of a vertex's part; paths are halved on the way.
-fn root(parents: &[AtomicU32], mut v: u32) -> u32 {
-    loop {
-        let parent = parents[v as usize].load(Relaxed);
-        if parent == v {
-            return v;
+    /// The representative of a number's part; paths are halved on the way.
+    fn root(&self, mut number: u32) -> u32 {
+        loop {
+            let parent = self.parent(number);
+            if parent == number {
+                return number;
+            }
+            let next = self.parent(parent);
+            if next != parent {
+                self.parents[number as usize].store(next, Relaxed);
+            }
+            number = next;
         }
-        let next = parents[parent as usize].load(Relaxed);
-        if next != parent {
-            parents[v as usize].store(next, Relaxed);
-        }
-        v = next;
+    }
+
+    /// The lowest number of each one's part.
+    pub(crate) fn lowest(&self) -> Vec<u32> {
+        let mut roots = zeroed(self.parents.len());
+        let numbered = roots.par_iter_mut().with_min_len(CHUNK).zip(0..self.parents.len() as u32);
+        numbered.for_each(|(slot, number)| *slot = self.root(number));
+        roots
     }
 }
 

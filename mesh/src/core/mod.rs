@@ -1,5 +1,6 @@
 //! The mesh itself: tets, tagged simplices, their topology and strata.
 
+pub mod bodies;
 pub mod components;
 pub mod hilbert;
 pub mod locality;

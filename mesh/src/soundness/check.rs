@@ -7,12 +7,10 @@ use crate::core::raw_mesh::{RawMesh, Tagged};
 use crate::core::reference_tet::{EDGES, FACES, six_volumes};
 use crate::core::tet_mesh::TetMesh;
 use crate::core::topology::{Topology, ascending};
-use crate::soundness::finding::{Finding, FindingKind};
+use crate::soundness::finding::{EXAMPLES, Finding, FindingKind};
+use crate::soundness::hinges::hinges;
 use octruss_base::ragged::CHUNK;
 use octruss_base::vector3::{length, subtract};
-
-/// How many places a finding names.
-const EXAMPLES: usize = 5;
 
 /// A volume below this share of the longest edge cubed is rounding, not volume.
 const FLAT: f64 = 1e-14;
@@ -81,13 +79,13 @@ pub fn findings(raw: &RawMesh) -> Vec<Finding> {
     let slots = 6 * raw.tets.len() + 3 * raw.triangles.len() + raw.edges.len();
     if slots > MAX_SLOTS {
         let kind = FindingKind::TooLarge;
-        return vec![Finding { kind, count: slots, examples: Vec::new(), mended: false }];
+        return vec![Finding { count: slots, ..Finding::of(kind) }];
     }
     let mut found = Vec::new();
     let mut note = |kind, places: Vec<u32>| {
         if !places.is_empty() {
             let examples = places.iter().copied().take(EXAMPLES).collect();
-            found.push(Finding { kind, count: places.len(), examples, mended: false });
+            found.push(Finding { count: places.len(), examples, ..Finding::of(kind) });
         }
     };
     let out_of_range = out_of_range(raw);
@@ -105,7 +103,8 @@ pub fn findings(raw: &RawMesh) -> Vec<Finding> {
         note(FindingKind::ZeroVolumeTets, flat);
         note(FindingKind::InvertedTets, inverted);
         note(FindingKind::DuplicateTets, duplicate_tets(raw));
-        note(FindingKind::OversharedFaces, overshared_faces(raw));
+        let faces = faces_with_tets(raw);
+        note(FindingKind::OversharedFaces, overshared_faces(&faces));
         if proper {
             note(FindingKind::StrayCreases, stray_creases(raw));
         }
@@ -114,14 +113,10 @@ pub fn findings(raw: &RawMesh) -> Vec<Finding> {
         if parts.len() > 1 {
             note(FindingKind::DisconnectedParts, parts);
         }
+        found.extend(hinges(raw, &inner_faces(&faces)));
     }
     if raw.tets.is_empty() {
-        found.push(Finding {
-            kind: FindingKind::NoTets,
-            count: 1,
-            examples: Vec::new(),
-            mended: false,
-        });
+        found.push(Finding::of(FindingKind::NoTets));
     }
     found.sort_by_key(|finding| finding.kind);
     found
@@ -182,16 +177,26 @@ fn duplicate_tets(raw: &RawMesh) -> Vec<u32> {
     copies
 }
 
-/// The third tet on each face that has more than two.
-fn overshared_faces(raw: &RawMesh) -> Vec<u32> {
+/// Each face of each tet, ascending, with the tet: sorted.
+fn faces_with_tets(raw: &RawMesh) -> Vec<([u32; 3], u32)> {
     let faces_of = |(tet, vertices): (usize, &[u32; 4])| {
         FACES.map(|face| (ascending(face.map(|v| vertices[v])), tet as u32))
     };
     let mut faces: Vec<([u32; 3], u32)> =
         raw.tets.par_iter().enumerate().flat_map_iter(faces_of).collect();
     faces.par_sort_unstable();
+    faces
+}
+
+/// The third tet on each face that has more than two.
+fn overshared_faces(faces: &[([u32; 3], u32)]) -> Vec<u32> {
     let shared = faces.chunk_by(|p, q| p.0 == q.0).filter(|run| run.len() > 2);
     shared.map(|run| run[2].1).collect()
+}
+
+/// The two tets of each face that has two.
+fn inner_faces(faces: &[([u32; 3], u32)]) -> Vec<[u32; 2]> {
+    faces.windows(2).filter(|w| w[0].0 == w[1].0).map(|w| [w[0].1, w[1].1]).collect()
 }
 
 /// The first ends of recorded creases that are no edges; a sound file has none.
@@ -308,7 +313,7 @@ mod tests {
     fn each_defect_is_found_by_its_name() {
         let good = five_tet_cube().into_raw();
         type Damage = fn(&mut RawMesh);
-        let table: [(FindingKind, usize, Damage); 13] = [
+        let table: [(FindingKind, usize, Damage); 14] = [
             (FindingKind::DegenerateSimplices, 1, |m| m.triangles.push([1, 1, 2], 5)),
             (FindingKind::DegenerateSimplices, 1, |m| m.edges.push([2, 2], 5)),
             (FindingKind::RepeatedSimplices, 1, |m| {
@@ -345,6 +350,11 @@ mod tests {
                 m.vertices.push([8], 1);
             }),
             (FindingKind::UnusedVertices, 1, |m| m.points.push([7.0; 3])),
+            (FindingKind::Hinges, 1, |m| {
+                m.points.extend([[-1.0, 0.0, 0.0], [0.0, -1.0, 0.0], [0.0, 0.0, -1.0]]);
+                m.tets.push([0, 8, 10, 9]);
+                m.regions.push(0);
+            }),
             (FindingKind::DisconnectedParts, 2, |m| {
                 let tet = m.tets[1].map(|v| m.points[v as usize].map(|x| x + 5.0));
                 m.points.extend(tet);

@@ -2,6 +2,9 @@
 
 use std::fmt;
 
+/// How many places a finding names.
+pub(crate) const EXAMPLES: usize = 5;
+
 /// One kind of problem, how often it occurs and where first.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Finding {
@@ -11,8 +14,17 @@ pub struct Finding {
     pub count: usize,
     /// The first few places, as numbers (from 0) of what the kind names.
     pub examples: Vec<u32>,
+    /// The same places in words, where numbers alone tell too little; else empty.
+    pub places: Vec<String>,
     /// Whether the check mended it.
     pub mended: bool,
+}
+
+impl Finding {
+    /// One, at no place.
+    pub(crate) fn of(kind: FindingKind) -> Self {
+        Self { kind, count: 1, examples: Vec::new(), places: Vec::new(), mended: false }
+    }
 }
 
 /// The kinds of problems, the worst first.
@@ -48,6 +60,9 @@ pub enum FindingKind {
     DuplicateVertices,
     /// No simplex uses a vertex; examples are vertices.
     UnusedVertices,
+    /// Parts meet at edges or single vertices and have no face in common; examples are the
+    /// first tets of the second of each pair of parts.
+    Hinges,
     /// The tets form more than one part; examples are the first tets of parts.
     DisconnectedParts,
 }
@@ -74,6 +89,7 @@ impl FindingKind {
             Self::RepeatedSimplices => "repeated-simplices",
             Self::DuplicateVertices => "duplicate-vertices",
             Self::UnusedVertices => "unused-vertices",
+            Self::Hinges => "hinges",
             Self::DisconnectedParts => "disconnected-parts",
         }
     }
@@ -116,6 +132,12 @@ impl FindingKind {
             Self::UnusedVertices => {
                 ("vertices that no simplex uses", "vertex", "they are left out")
             }
+            Self::Hinges => (
+                "pairs of parts that hang together by edges or single vertices only",
+                "tet",
+                "a hinge, about which an elastic body turns freely, and heat passes by its few \
+                 vertices alone; mesh the parts with faces in common unless it is meant",
+            ),
             Self::DisconnectedParts => {
                 ("parts that do not touch", "tet", "each part needs fixed values of its own")
             }
@@ -130,9 +152,11 @@ impl fmt::Display for Finding {
             return write!(f, "{what}: {advice}");
         }
         write!(f, "{} {what} (", self.count)?;
-        for (i, number) in self.examples.iter().enumerate() {
-            let separator = if i == 0 { "" } else { ", " };
-            write!(f, "{separator}{noun} {number}")?;
+        if self.places.is_empty() {
+            let places: Vec<String> = self.examples.iter().map(|k| format!("{noun} {k}")).collect();
+            f.write_str(&places.join(", "))?;
+        } else {
+            f.write_str(&self.places.join("; "))?;
         }
         let advice = if self.mended { "mended as asked" } else { advice };
         let more = if self.count > self.examples.len() { ", …" } else { "" };

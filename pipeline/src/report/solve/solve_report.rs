@@ -18,6 +18,9 @@ pub struct SolveStageReport {
     pub assembly_seconds: f64,
     /// One a prolongation.
     pub solves: Vec<SolveFigures>,
+    /// What may surprise; left out where there is nothing.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub notes: Vec<String>,
     /// Of an elastic body, what else is of interest.
     #[serde(default, flatten, skip_serializing_if = "Option::is_none")]
     pub body: Option<BodyFigures>,

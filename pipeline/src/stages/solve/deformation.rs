@@ -6,6 +6,7 @@ use super::body::Body;
 use super::elasticity::{ElasticityKeys, problem};
 use super::in_turn::{blank_outside, discretise, solve_in_turn};
 use super::keys::Solve;
+use super::locked_supports::locked_supports;
 use super::outcome::Outcome;
 use crate::error::Error;
 use crate::stages::context::Context;
@@ -23,6 +24,9 @@ pub(super) fn solve(
 ) -> Result<Outcome, Error> {
     let finest = hierarchy.finest();
     let problem = problem(keys, finest.mesh.raw(), context)?;
+    let notes = locked_supports(&problem, hierarchy)
+        .map_err(|source| context.solver("supports", source))?;
+    context.remark(&notes);
     let (discrete, assembly_seconds) = discretise(options, hierarchy, &problem, context)?;
     let length = |u: &[f64; 3]| u.iter().map(|u| u * u).sum::<f64>().sqrt();
     let (mut displacement, solves) = solve_in_turn(options, &discrete, length, context)?;
@@ -31,5 +35,5 @@ pub(super) fn solve(
     let (figures, point_fields, cell_fields) = body
         .describe(displacement)
         .map_err(|source| context.solver("stresses and forces", source))?;
-    Ok(Outcome { solves, assembly_seconds, point_fields, cell_fields, body: Some(figures) })
+    Ok(Outcome { solves, assembly_seconds, point_fields, cell_fields, notes, body: Some(figures) })
 }

@@ -43,6 +43,7 @@ pub(super) fn discretise<'h, P: Problem>(
     let steps = options.in_turn().len() + 1;
     let discrete = context.step(1, steps, "assembly", || {
         let discrete = Discretisation::new(hierarchy, problem, &options.options)
+            .and_then(|discrete| discrete.check_loaded().map(|()| discrete))
             .map_err(|source| context.solver("assembly", source))?;
         let unknowns = format!("{} unknowns", short(discrete.unknowns()));
         Ok::<_, Error>((discrete, unknowns))

@@ -12,6 +12,7 @@ pub mod equation;
 pub mod fixed;
 pub mod in_turn;
 pub mod keys;
+pub mod locked_supports;
 pub mod outcome;
 pub mod poisson;
 pub mod problem_keys;

@@ -12,4 +12,6 @@ pub(super) struct Outcome {
     pub(super) body: Option<BodyFigures>,
     pub(super) point_fields: Vec<Field>,
     pub(super) cell_fields: Vec<Field>,
+    /// What a user should know.
+    pub(super) notes: Vec<String>,
 }

@@ -142,7 +142,7 @@ const TABLE: [Spoilt; 37] = [
     ),
     spoilt(
         ["tolerance = 1e-8", "gravity = [0, 0, -9.81]"],
-        "18:1: stage `solve`: `gravity` belongs to problem = \"elasticity\", but this stage solves \"poisson\" (keys of its own: coefficient, source, flux, robin)",
+        "18:1: stage `solve`: `gravity` belongs to problem = \"elasticity\", but this stage solves \"poisson\" (keys of its own: coefficient, source, flux, robin, free)",
         2,
     ),
     spoilt(["flux =", "robin ="], "16:10: missing key `coefficient` in stage `solve`", 2),

@@ -83,6 +83,59 @@ fn a_pulled_cube_has_the_textbook_strain_in_the_file_and_the_force_in_the_report
 }
 
 #[test]
+fn supports_moved_far_away_stress_a_body_as_those_that_are_not() {
+    // Two ends bent by 1e-6 y, at 0 and at 1000: of sixteen digits seven are left.
+    let bent = |offset: &str| {
+        let loads = "traction = [{ surface = \"x1\", value = [4, 0, 0] }]";
+        let held = "fixed = [{ surface = \"x0\", normal = 0 }, { surface = \"y0\", y = 0 }, \
+            { surface = \"z0\", z = 0 }]";
+        let end =
+            |side: &str| format!("{{ surface = \"{side}\", value = [\"{offset}1e-6*y\", 0, 0] }}");
+        let fixed = format!("fixed = [{}, {}]", end("x0"), end("x1"));
+        run(&GOOD.replace(loads, "").replace(held, &fixed)).1
+    };
+    let [near, far] = ["", "1e3 + "].map(bent);
+    let greatest = |solve: &serde_json::Value| solve["greatest_von_mises"].as_f64().unwrap();
+    assert!((greatest(&far) / greatest(&near) - 1.0).abs() < 1e-5, "{near} {far}");
+    assert!(far["forces"]["imbalance"].as_f64().unwrap() < 1e-6, "{far}");
+    assert!(far["notes"].is_null(), "{far}");
+    assert!(far["solves"][0]["maximum"].as_f64().unwrap() > 999.0);
+}
+
+#[test]
+fn forces_that_do_not_balance_are_told() {
+    let folder = tempfile::tempdir().unwrap();
+    let loose = GOOD.replace("material =", "tolerance = 0.2\nmaterial =");
+    write_config(folder.path(), &loose);
+    let output = octruss(folder.path(), &["run", "c.toml", "--out", "out", "--quiet"]);
+    assert_eq!(code(&output), 0, "{}", stderr(&output));
+    let told = stderr(&output);
+    assert!(told.contains("note: the forces on the body balance to"), "{told}");
+    let report = report(&folder.path().join("out"));
+    let stages = report["stages"].as_array().unwrap();
+    let solve = stages.iter().find(|stage| stage["name"] == "solve").unwrap();
+    assert!(solve["notes"][0].as_str().unwrap().starts_with("the forces on the body"));
+}
+
+#[test]
+fn a_body_that_nothing_holds_floats_if_asked_to() {
+    // Pulled at both ends, and at one: then by its own inertia, with a note.
+    let held = "fixed = [{ surface = \"x0\", normal = 0 }, { surface = \"y0\", y = 0 }, \
+        { surface = \"z0\", z = 0 }]";
+    let pulled = "traction = [{ surface = \"x0\", value = [-4, 0, 0] }, ";
+    let free = GOOD.replace(held, "free = \"balance\"");
+    let (solution, solve) = run(&free.replace("traction = [", pulled));
+    assert_field(&solution.cell_fields, "stress", &[4.0, 0.0, 0.0, 0.0, 0.0, 0.0]);
+    assert!(solve["notes"].is_null(), "{solve}");
+    assert!(solve["free_parts"][0]["share"].as_f64().unwrap() < 1e-12);
+    let (_, solve) = run(&free);
+    assert!((solve["free_parts"][0]["acceleration"]["x"].as_f64().unwrap() - 4.0).abs() < 1e-9);
+    assert!((solve["forces"]["inertia"]["x"].as_f64().unwrap() + 4.0).abs() < 1e-9);
+    assert!(solve["forces"]["imbalance"].as_f64().unwrap() < 1e-9);
+    assert!(solve["notes"][0].as_str().unwrap().contains("its loads do not balance"));
+}
+
+#[test]
 fn expressions_stand_wherever_numbers_do() {
     // The same state by other words: E doubled and halved again, the traction and
     // the planes by expressions that come to the same.
@@ -116,7 +169,7 @@ fn wrong_elastic_configs_are_told_with_file_line_and_key() {
             "flux",
             "c.toml:16:1: stage `solve`: `flux` belongs to problem = \"poisson\", but this stage \
              solves \"elasticity\" (keys of its own: material, body-force, gravity, traction, \
-             pressure, springs)",
+             pressure, springs, free)",
         ),
         ("[4, 0, 0]", "4", "c.toml:16:39: `value` in stage `solve`: found integer `4`, expected "),
         (

@@ -4,8 +4,8 @@
 use std::path::Path;
 
 use octruss_fem::{
-    ByRegion, Constraints, Dofs, Elasticity, Held, Material, Poisson, Scalar, Support, assemble,
-    assemble_elasticity, restrict_to_free, vector,
+    ByRegion, Constraints, Dofs, Elasticity, Free, Held, Material, Poisson, Scalar, Support,
+    assemble, assemble_elasticity, restrict_to_free, vector,
 };
 use octruss_mesh::{
     AffineCorrection, CheckOptions, FeatureOptions, Hierarchy, InterfaceRows, ProlongationOptions,
@@ -80,6 +80,7 @@ fn elastic(hierarchy: Hierarchy) -> Study<[[f64; 3]; 3]> {
         pressure: Vec::new(),
         springs: Vec::new(),
         supports: vec![Support { surface: 1, held: clamped }],
+        free: Free::Refuse,
     };
     let levels = hierarchy.levels().iter();
     let mut systems: Vec<_> =

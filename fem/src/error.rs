@@ -99,7 +99,8 @@ pub enum Error {
     /// solution there is determined up to a constant only.
     #[error(
         "nothing is fixed on a connected part of the mesh with {vertices} vertices, among them \
-         vertex {example}; prescribe a value on one of its surfaces"
+         vertex {example}; prescribe a value on one of its surfaces, or solve for the solution \
+         without mean with `free = \"balance\"`"
     )]
     NothingFixed {
         /// The size of the part.
@@ -111,7 +112,8 @@ pub enum Error {
     #[error(
         "a connected part of the mesh with {vertices} vertices, among them vertex {example}, can \
          still move as a rigid body: {}; hold more of it, with `fixed` or `springs`, or with \
-         planes of symmetry where loads are symmetric",
+         planes of symmetry where loads are symmetric, or let inertia balance the loads with \
+         `free = \"balance\"`",
         list(.modes)
     )]
     RigidModes {

@@ -140,6 +140,16 @@ impl Error {
             _ => None,
         }
     }
+
+    /// The same, for whoever solved for something else in place of the iterate.
+    pub fn unfinished_mut(&mut self) -> Option<&mut Unfinished> {
+        match self {
+            Self::NotPositiveDefinite { at, .. } | Self::NotConverged(at) | Self::Stopped(at) => {
+                Some(at)
+            }
+            _ => None,
+        }
+    }
 }
 
 /// Checks that all of `values` are finite; `what` says which numbers these are.

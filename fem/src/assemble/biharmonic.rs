@@ -8,12 +8,14 @@
 //! has ∂u/∂n = 0 and ∂(Δu)/∂n = 0. Good for fairing fields and morphing; a plate that is
 //! free in the sense of mechanics has other conditions.
 
-use crate::assemble::poisson::{System, whole_stiffness};
+use crate::assemble::poisson::{System, less_constants, prescribed, whole_stiffness};
 use crate::assemble::poisson_load::{check_load, source_vector};
 use crate::boundary::dofs::Dofs;
 use crate::error::Error;
 use crate::problem::biharmonic::Biharmonic;
 use crate::problem::poisson::Poisson;
+use crate::reference::constant::constants;
+use crate::reference::difference::Difference;
 use octruss_base::chunks::for_chunks;
 use octruss_mesh::{TetMesh, Topology};
 use octruss_solver::Csr;
@@ -45,10 +47,14 @@ pub fn assemble_biharmonic(
     let matrix = multiply(&rows, &transpose(&rows));
     let as_poisson = Poisson { source: problem.source.clone(), ..Poisson::default() };
     let load = source_vector(mesh, &as_poisson)?;
-    let mut rhs: Vec<f64> = dofs.free().iter().map(|&vertex| load[vertex as usize]).collect();
-    if !dofs.is_homogeneous() {
+    let lifted = |prescribed: &[f64]| {
+        let mut rhs: Vec<f64> = dofs.free().iter().map(|&vertex| load[vertex as usize]).collect();
+        if prescribed.iter().all(|value| *value == 0.0) {
+            return rhs;
+        }
         let mut image: Vec<f64> = vec![0.0; all.unknowns()];
-        let values: Vec<f64> = all.free().iter().map(|&vertex| dofs.value(vertex)).collect();
+        let values: Vec<f64> =
+            all.free().iter().map(|&vertex| prescribed[vertex as usize]).collect();
         octruss_solver::kernels::product(&stiffness, &values, &mut image);
         for_chunks(&mut image, |first, chunk| {
             let scales = (first as u32..).map(scaled);
@@ -57,10 +63,16 @@ pub fn assemble_biharmonic(
         let mut lifted = vec![0.0; rhs.len()];
         octruss_solver::kernels::product(&rows, &image, &mut lifted);
         rhs.iter_mut().zip(&lifted).for_each(|(rhs, lifted)| *rhs -= lifted);
-    }
+        rhs
+    };
+    let rhs = lifted(dofs.values());
+    let difference = constants(mesh, &prescribed(&dofs), &[]).map(|reference| {
+        let prescribed = less_constants(&dofs, &reference);
+        Difference { rhs: lifted(&prescribed), reference, prescribed }
+    });
     check_finite("biharmonic matrix", matrix.values())?;
     check_load(mesh, &as_poisson, &rhs)?;
-    Ok(System { matrix, rhs, dofs })
+    Ok(System { matrix, rhs, dofs, difference, free: None })
 }
 
 /// The rows of free vertices, each column scaled.

@@ -6,14 +6,17 @@
 //! each edge and 76 for each block of the matrix.
 
 use crate::assemble::edge_rows::{Neighbours, edge_rows};
-use crate::assemble::elasticity_load::{add_springs, blame_load, load_vector, spring_directions};
+use crate::assemble::elasticity_load::{add_spring_forces, add_springs, blame_load};
+use crate::assemble::inertia_relief::BalancedLoad;
 use crate::assemble::scatter::{Scatter, Sums};
 use crate::boundary::constraints::{ByVertex, Constraints};
 use crate::boundary::held_vertex::{HeldVertex, projected_diagonal};
-use crate::boundary::rigid_modes::check_rigid_modes;
 use crate::element::p1::{centroid, edge_elasticity};
 use crate::error::Error;
+use crate::free::free_bodies::FreeBodies;
 use crate::problem::elasticity::{Elasticity, Material};
+use crate::reference::difference::Difference;
+use crate::reference::nearest_motion::rigid_motions;
 use octruss_base::chunks::map_chunks;
 use octruss_base::vector3::{
     Matrix3, Vector3, ZERO, add3, apply, multiply3, scale, subtract, transpose3,
@@ -29,12 +32,18 @@ use std::sync::atomic::{AtomicUsize, Ordering::Relaxed};
 pub struct VectorSystem {
     /// Q A Q + s (I − Q) with the projectors Q of the constraints and, for each
     /// vertex, the mean s of the diagonal of its block: symmetric positive
-    /// definite, one row of blocks for each unknown vertex.
+    /// definite, unless there are free parts; one row of blocks for each unknown vertex.
     pub matrix: Csr<[[f64; 3]; 3]>,
     /// Q (f − A g): loads minus what prescribed displacements contribute.
     pub rhs: Vec<[f64; 3]>,
     /// What is held, and which vertices the unknowns belong to.
     pub constraints: Constraints,
+    /// The same for what the displacement differs by from a rigid motion, where it is
+    /// prescribed far from zero.
+    pub difference: Option<Difference<[f64; 3]>>,
+    /// The parts that nothing holds, or not in all directions, if the problem balances their
+    /// loads: `matrix` is singular.
+    pub free: Option<FreeBodies<[f64; 3]>>,
 }
 
 impl VectorSystem {
@@ -64,22 +73,37 @@ pub fn assemble_elasticity(
 ) -> Result<VectorSystem, Error> {
     check_size("tets of the topology", topology.tet_edges().len(), mesh.tets().len())?;
     let constraints = Constraints::new(mesh, topology, &problem.supports)?;
-    let springs = spring_directions(mesh, topology, problem)?;
-    check_rigid_modes(mesh, topology, &constraints, &springs)?;
-
+    let balanced = BalancedLoad::new(mesh, topology, problem, &constraints)?;
+    let free = balanced.free_bodies(mesh, problem, &constraints);
+    let load = balanced.total();
     let mut couplings = edge_couplings(mesh, topology, problem)?;
     let row_sums = add_springs(mesh, topology, problem, &mut couplings)?;
-    let load = load_vector(mesh, topology, problem)?;
     let neighbours = Neighbours::new(topology);
     let stiffness = Stiffness { neighbours, couplings, row_sums };
     let by_vertex = constraints.by_vertex();
     let matrix = stiffness.projected_matrix(&constraints, &by_vertex);
-    let rhs = stiffness.projected_load(&constraints, &by_vertex, &load);
+    let lifted = |load: &[Vector3], prescribed: Option<&[Vector3]>| {
+        stiffness.projected_load(&constraints, &by_vertex, load, prescribed)
+    };
+    let mut difference = rigid_motions(mesh, &constraints)
+        .map(|(reference, prescribed)| {
+            let mut load = load.clone();
+            add_spring_forces(mesh, topology, problem, &reference, &mut load)?;
+            let rhs = lifted(&load, Some(&prescribed));
+            Ok::<_, Error>(Difference { reference, prescribed, rhs })
+        })
+        .transpose()?;
+    let prescribed = (!constraints.is_homogeneous()).then(|| constraints.prescribed());
+    let mut rhs = lifted(&load, prescribed.as_deref());
     check_finite("stiffness matrix", matrix.values().as_flattened().as_flattened())?;
     if let Err(error) = check_finite("load vector", rhs.as_flattened()) {
         return Err(blame_load(mesh, problem).err().unwrap_or(error.into()));
     }
-    Ok(VectorSystem { matrix, rhs, constraints })
+    if let Some(free) = &free {
+        free.null_space.project(&mut rhs);
+        difference.iter_mut().for_each(|d| free.null_space.project(&mut d.rhs));
+    }
+    Ok(VectorSystem { matrix, rhs, constraints, difference, free })
 }
 
 /// Lamé's constants λ and μ in one tet.
@@ -185,27 +209,28 @@ impl Stiffness<'_> {
         )
     }
 
-    /// Q (f − A g) of each unknown.
+    /// Q (f − A g) of each unknown, with the prescribed displacement g of each vertex if it
+    /// is not 0 everywhere.
     fn projected_load(
         &self,
         constraints: &Constraints,
         held: &ByVertex,
         load: &[Vector3],
+        prescribed: Option<&[Vector3]>,
     ) -> Vec<Vector3> {
         let free = constraints.dofs().free();
         let mut rhs: Vec<Vector3> = free.iter().map(|&vertex| load[vertex as usize]).collect();
-        let lifts = !constraints.is_homogeneous();
         map_chunks(&mut rhs, |first, chunk| {
             for (rhs, &vertex) in chunk.iter_mut().zip(&free[first..]) {
-                if lifts {
+                if let Some(prescribed) = prescribed {
                     let mut others = ZERO;
                     for (edge, other) in self.neighbours.of(vertex) {
                         let block = self.block(edge, vertex);
                         others = add3(&others, &block);
-                        *rhs = subtract(*rhs, apply(&block, held.value(other)));
+                        *rhs = subtract(*rhs, apply(&block, prescribed[other as usize]));
                     }
                     let own = self.diagonal(vertex, &others);
-                    *rhs = subtract(*rhs, apply(&own, held.value(vertex)));
+                    *rhs = subtract(*rhs, apply(&own, prescribed[vertex as usize]));
                 }
                 if let Some(held) = held.get(vertex) {
                     *rhs = apply(&held.projector, *rhs);

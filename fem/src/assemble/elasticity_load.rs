@@ -8,10 +8,11 @@ use crate::assemble::scatter::{Scatter, Sums};
 use crate::boundary::surface::{
     OutwardTriangle, check_attached, outward_triangles, tet_of, triangles_of,
 };
+use crate::element::p1::triangle_area;
 use crate::error::Error;
 use crate::problem::elasticity::{Elasticity, Stiffness, Vector};
 use crate::problem::scalar::{Scalar, values_at};
-use octruss_base::vector3::{IDENTITY, Vector3, length, outer, scale};
+use octruss_base::vector3::{IDENTITY, Vector3, add, dot3, length, outer, scale};
 use octruss_mesh::{TetMesh, Topology};
 use std::slice::from_ref;
 
@@ -108,6 +109,38 @@ pub(crate) fn add_springs(
         });
     })?;
     Ok(foundation.into_row_sums())
+}
+
+/// Adds the forces of springs on vertices with these displacements.
+pub(crate) fn add_spring_forces(
+    mesh: &TetMesh,
+    topology: &Topology,
+    problem: &Elasticity,
+    displacement: &[Vector3],
+    load: &mut [Vector3],
+) -> Result<(), Error> {
+    for_springs(mesh, topology, problem, |_, triangle, corners, stiffness| {
+        // The same rule as in the matrix: half of what acts at the midpoint of an edge
+        // goes to each end.
+        let share = triangle_area(corners) / 3.0;
+        for (a, b) in [(0, 1), (0, 2), (1, 2)] {
+            let middle = scale(0.5, add(corners[a], corners[b]));
+            let [u_a, u_b] = [a, b].map(|v| displacement[triangle[v] as usize]);
+            let force = spring_force(stiffness(middle), share, scale(0.5, add(u_a, u_b)));
+            for vertex in [a, b] {
+                let at = &mut load[triangle[vertex] as usize];
+                *at = add(*at, scale(0.5, force));
+            }
+        }
+    })
+}
+
+/// The force on what springs with these directions and stiffnesses hold over an area that
+/// has moved so far.
+pub(crate) fn spring_force(springs: [(Vector3, f64); 3], area: f64, moved: Vector3) -> Vector3 {
+    springs
+        .into_iter()
+        .fold([0.0; 3], |sum, (along, k)| add(sum, scale(-area * k * dot3(along, moved), along)))
 }
 
 /// Where springs hold in which direction: a tet of the triangle, the position and

@@ -6,12 +6,19 @@
 //! once) and region, about 48 bytes, and 12 bytes for each matrix entry.
 
 use crate::assemble::edge_rows::{Neighbours, edge_rows};
-use crate::assemble::poisson_load::{add_robin, add_surface_load, check_load, source_load};
+use crate::assemble::poisson_load::{
+    add_robin, add_surface_load, check_load, source_load, surrounding_values,
+};
 use crate::assemble::scatter::{Scatter, Sums};
+use crate::assemble::uniform_source::balance_sources;
 use crate::boundary::dofs::Dofs;
 use crate::element::p1::{centroid, edge_stiffness};
 use crate::error::Error;
+use crate::free::free_bodies::FreeBodies;
+use crate::problem::free::Free;
 use crate::problem::poisson::Poisson;
+use crate::reference::constant::constants;
+use crate::reference::difference::Difference;
 use octruss_base::chunks::for_chunks;
 use octruss_mesh::{TetMesh, Topology};
 use octruss_solver::Csr;
@@ -21,12 +28,17 @@ use std::sync::atomic::{AtomicUsize, Ordering::Relaxed};
 /// A linear system for the free unknowns of a mesh.
 #[derive(Debug, Clone)]
 pub struct System {
-    /// Symmetric positive definite, one row for each unknown.
+    /// Symmetric positive definite, unless there are free parts; one row for each unknown.
     pub matrix: Csr<f64>,
     /// Sources and fluxes, minus what the prescribed values contribute.
     pub rhs: Vec<f64>,
     /// Which vertices the unknowns belong to.
     pub dofs: Dofs,
+    /// The same for what the solution differs by from a constant, where values are
+    /// prescribed far from zero.
+    pub difference: Option<Difference<f64>>,
+    /// The parts without a given value, if the problem balances these: `matrix` is singular.
+    pub free: Option<FreeBodies<f64>>,
 }
 
 impl System {
@@ -47,7 +59,8 @@ impl System {
 /// [`Error::SurfaceCoefficient`], [`Error::BoundaryValue`], [`Error::Load`] and
 /// [`octruss_solver::Error::NotFinite`] for senseless numbers; [`Error::NothingFixed`] if a
 /// connected part of the mesh has neither a prescribed value nor a Robin
-/// condition; [`octruss_solver::Error::Size`] if the topology belongs to another mesh.
+/// condition, unless the problem balances such parts; [`octruss_solver::Error::Size`] if the
+/// topology belongs to another mesh.
 pub fn assemble(mesh: &TetMesh, topology: &Topology, problem: &Poisson) -> Result<System, Error> {
     check_size("tets of the topology", topology.tet_edges().len(), mesh.tets().len())?;
     check_size("vertices of the topology", topology.vertex_count(), mesh.points().len())?;
@@ -55,9 +68,13 @@ pub fn assemble(mesh: &TetMesh, topology: &Topology, problem: &Poisson) -> Resul
     problem.source.check(mesh)?;
     let dofs = Dofs::new(mesh, &problem.fixed)?;
 
-    let (mut couplings, mut load) = couplings_and_load(mesh, topology, problem)?;
+    let (mut couplings, source) = couplings_and_load(mesh, topology, problem)?;
     let row_sums = add_robin(mesh, topology, &problem.robin, &mut couplings)?;
-    dofs.check_anchored(mesh, |vertex| row_sums.get(vertex).is_some_and(|[sum]| *sum > 0.0))?;
+    let is_tied = |vertex: usize| row_sums.get(vertex).is_some_and(|[sum]| *sum > 0.0);
+    let loose = match problem.free {
+        Free::Refuse => dofs.check_anchored(mesh, is_tied).map(|()| Vec::new())?,
+        Free::Balance => dofs.loose_parts(mesh, is_tied),
+    };
     let neighbours = Neighbours::new(topology);
     // The diagonal is the sum of the row, 0 where `row_sums` is empty, minus all
     // couplings.
@@ -69,11 +86,34 @@ pub fn assemble(mesh: &TetMesh, topology: &Topology, problem: &Poisson) -> Resul
         |_, _, coupling| coupling,
         |vertex, sum| row_sum(vertex) - sum,
     );
-    add_surface_load(mesh, topology, problem, &mut load)?;
-    let rhs = lifted_load(&dofs, &neighbours, &couplings, load.as_flattened());
+    let constants = constants(mesh, &prescribed(&dofs), &surrounding_values(mesh, problem));
+    let lifted = |load: &[[f64; 1]], values: &[f64]| {
+        lifted_load(&dofs, &neighbours, &couplings, load.as_flattened(), values)
+    };
+    let given = |reference: Option<&[f64]>| {
+        let mut load = source.clone();
+        add_surface_load(mesh, topology, problem, reference, &mut load).map(|()| load)
+    };
+    let mut load = given(None)?;
+    let free =
+        (!loose.is_empty()).then(|| balance_sources(mesh, problem, &dofs, &loose, &mut load));
+    let measured = |reference: Vec<f64>| {
+        let mut measured = given(Some(&reference))?;
+        // No given value reaches these.
+        loose.iter().flatten().for_each(|&v| measured[v as usize] = load[v as usize]);
+        let prescribed = less_constants(&dofs, &reference);
+        let rhs = lifted(&measured, &prescribed);
+        Ok::<_, Error>(Difference { reference, prescribed, rhs })
+    };
+    let mut difference = constants.map(measured).transpose()?;
+    let mut rhs = lifted(&load, dofs.values());
     check_finite("stiffness matrix", matrix.values())?;
     check_load(mesh, problem, &rhs)?;
-    Ok(System { matrix, rhs, dofs })
+    if let Some(free) = &free {
+        free.null_space.project(&mut rhs);
+        difference.iter_mut().for_each(|d| free.null_space.project(&mut d.rhs));
+    }
+    Ok(System { matrix, rhs, dofs, difference, free })
 }
 
 /// The stiffness matrix for k = 1 between all vertices of tets, none of them fixed,
@@ -142,22 +182,39 @@ fn tet_couplings(
     edge_stiffness(corners).map(|value| [k * value])
 }
 
-/// The load of each unknown minus the couplings with prescribed values.
+/// The vertices without an unknown, with their values.
+pub(crate) fn prescribed(dofs: &Dofs) -> Vec<(u32, f64)> {
+    let vertices = 0..dofs.vertices() as u32;
+    let held = vertices.filter(|vertex| dofs.unknown(*vertex).is_none());
+    held.map(|vertex| (vertex, dofs.value(vertex))).collect()
+}
+
+/// What is prescribed at each vertex less a constant there; 0 at those with an unknown.
+pub(crate) fn less_constants(dofs: &Dofs, constants: &[f64]) -> Vec<f64> {
+    let mut less = vec![0.0; dofs.vertices()];
+    for (vertex, value) in prescribed(dofs) {
+        less[vertex as usize] = value - constants[vertex as usize];
+    }
+    less
+}
+
+/// The load of each unknown minus the couplings with the values of vertices without one;
+/// those of the others are 0.
 fn lifted_load(
     dofs: &Dofs,
     neighbours: &Neighbours,
     couplings: &Sums<1>,
     load: &[f64],
+    values: &[f64],
 ) -> Vec<f64> {
     let mut rhs: Vec<f64> = dofs.free().iter().map(|&vertex| load[vertex as usize]).collect();
-    if dofs.is_homogeneous() {
+    if values.iter().all(|value| *value == 0.0) {
         return rhs;
     }
     for_chunks(&mut rhs, |first, chunk| {
         for (rhs, &vertex) in chunk.iter_mut().zip(&dofs.free()[first..]) {
             for (edge, other) in neighbours.of(vertex) {
-                // The value of a free neighbour is stored as 0.
-                *rhs -= couplings.at(edge)[0] * dofs.value(other);
+                *rhs -= couplings.at(edge)[0] * values[other as usize];
             }
         }
     });

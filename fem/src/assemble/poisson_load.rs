@@ -33,29 +33,46 @@ pub(crate) fn source_load(
     (!problem.source.all(Scalar::is_zero)).then_some(load)
 }
 
-/// Adds ∫ g φ + ∫ c u₀ φ over surfaces.
+/// Adds ∫ g φ + ∫ c (u₀ − r) φ over surfaces, with the reference r of each vertex, which is
+/// the same all over a part; 0 if not given.
 pub(crate) fn add_surface_load(
     mesh: &TetMesh,
     topology: &Topology,
     problem: &Poisson,
+    reference: Option<&[f64]>,
     load: &mut [[f64; 1]],
 ) -> Result<(), Error> {
-    let mut add = |surface: i32, is_constant: bool, flux: &dyn Fn([f64; 3]) -> f64| {
+    let mut add = |surface: i32, is_constant: bool, flux: &dyn Fn([f64; 3], f64) -> f64| {
         check_attached(mesh, topology, surface)?;
         for triangle in triangles_of(mesh, surface) {
             let corners = triangle.map(|v| mesh.points()[v as usize]);
-            add_at(load, triangle, triangle_load(corners, is_constant, |p| [flux(p)]));
+            let reference = reference.map_or(0.0, |all| all[triangle[0] as usize]);
+            add_at(load, triangle, triangle_load(corners, is_constant, |p| [flux(p, reference)]));
         }
         Ok::<_, Error>(())
     };
     for (surface, flux) in &problem.flux {
-        add(*surface, flux.is_constant(), &|p| flux.at(p))?;
+        add(*surface, flux.is_constant(), &|p, _| flux.at(p))?;
     }
     for (surface, Robin { coefficient, value }) in &problem.robin {
         let is_constant = coefficient.is_constant() && value.is_constant();
-        add(*surface, is_constant, &|p| coefficient.at(p) * value.at(p))?;
+        add(*surface, is_constant, &|p, r| coefficient.at(p) * (value.at(p) - r))?;
     }
     Ok(())
+}
+
+/// The values of surroundings at the vertices that exchange with them.
+pub(crate) fn surrounding_values(mesh: &TetMesh, problem: &Poisson) -> Vec<(u32, f64)> {
+    let mut values = Vec::new();
+    for (surface, Robin { coefficient, value }) in &problem.robin {
+        for vertex in triangles_of(mesh, *surface).flatten() {
+            let position = mesh.points()[vertex as usize];
+            if coefficient.at(position) > 0.0 {
+                values.push((vertex, value.at(position)));
+            }
+        }
+    }
+    values
 }
 
 /// Checks that a right-hand side is finite; if not, says which datum is to blame.

@@ -96,6 +96,15 @@ impl Constraints {
         ByVertex { held: &self.held, slots }
     }
 
+    /// What is prescribed at each vertex; 0 where, or in directions in which, it is free.
+    pub(crate) fn prescribed(&self) -> Vec<Vector3> {
+        let mut prescribed = vec![[0.0; 3]; self.dofs.vertices()];
+        for held in &self.held {
+            prescribed[held.vertex as usize] = held.value;
+        }
+        prescribed
+    }
+
     /// Whether all prescribed displacements are 0.
     pub(crate) fn is_homogeneous(&self) -> bool {
         self.held.iter().all(|held| held.value == [0.0; 3])
@@ -112,12 +121,6 @@ impl ByVertex<'_> {
     #[inline]
     pub(crate) fn get(&self, vertex: u32) -> Option<&HeldVertex> {
         self.held.get(self.slots[vertex as usize] as usize)
-    }
-
-    /// The prescribed displacement of a vertex; 0 where it is free.
-    #[inline]
-    pub(crate) fn value(&self, vertex: u32) -> Vector3 {
-        self.get(vertex).map_or([0.0; 3], |held| held.value)
     }
 }
 

@@ -7,6 +7,7 @@ use octruss_mesh::TetMesh;
 use octruss_mesh::components::part_of_vertices;
 use octruss_solver::check_size;
 use rayon::prelude::*;
+use std::collections::BTreeMap;
 use std::sync::atomic::{AtomicBool, Ordering::Relaxed};
 
 /// Marks a vertex without an unknown.
@@ -106,6 +107,11 @@ impl Dofs {
         self.values[vertex as usize]
     }
 
+    /// The prescribed value of each vertex without an unknown; 0 for the others.
+    pub(crate) fn values(&self) -> &[f64] {
+        &self.values
+    }
+
     /// Whether all prescribed values are 0.
     pub fn is_homogeneous(&self) -> bool {
         self.values.iter().all(|v| *v == 0.0)
@@ -125,13 +131,13 @@ impl Dofs {
         Ok(all)
     }
 
-    /// Checks that every part of the mesh has a vertex that is fixed or tied to a
-    /// given value, or no unknown at all.
-    pub(crate) fn check_anchored(
+    /// The vertices, ascending, of each part of the mesh of which none is fixed or tied to a
+    /// given value; parts by their first vertex.
+    pub(crate) fn loose_parts(
         &self,
         mesh: &TetMesh,
         is_tied: impl Fn(usize) -> bool,
-    ) -> Result<(), Error> {
+    ) -> Vec<Vec<u32>> {
         let parts = part_of_vertices(mesh.raw());
         let mut anchored = vec![false; self.vertices()];
         for vertex in 0..self.vertices() as u32 {
@@ -139,11 +145,27 @@ impl Dofs {
                 anchored[parts[vertex as usize] as usize] = true;
             }
         }
-        let loose = |v: &&u32| !anchored[parts[**v as usize] as usize];
-        let Some(&example) = self.free.iter().find(loose) else { return Ok(()) };
-        let part = parts[example as usize];
-        let vertices = self.free.iter().filter(|v| parts[**v as usize] == part).count();
-        Err(Error::NothingFixed { vertices, example })
+        let mut loose: BTreeMap<u32, Vec<u32>> = BTreeMap::new();
+        for &vertex in &self.free {
+            let part = parts[vertex as usize];
+            if !anchored[part as usize] {
+                loose.entry(part).or_default().push(vertex);
+            }
+        }
+        loose.into_values().collect()
+    }
+
+    /// Checks that every part of the mesh has a vertex that is fixed or tied to a
+    /// given value, or no unknown at all.
+    pub(crate) fn check_anchored(
+        &self,
+        mesh: &TetMesh,
+        is_tied: impl Fn(usize) -> bool,
+    ) -> Result<(), Error> {
+        match self.loose_parts(mesh, is_tied).first() {
+            None => Ok(()),
+            Some(part) => Err(Error::NothingFixed { vertices: part.len(), example: part[0] }),
+        }
     }
 }
 

@@ -26,10 +26,7 @@ impl From<Dofs> for LevelUnknowns<f64> {
 
 impl From<&Constraints> for LevelUnknowns<[[f64; 3]; 3]> {
     fn from(constraints: &Constraints) -> Self {
-        let mut prescribed = vec![[0.0; 3]; constraints.dofs().vertices()];
-        for held in constraints.held() {
-            prescribed[held.vertex as usize] = held.value;
-        }
+        let prescribed = constraints.prescribed();
         let (dofs, projectors) = (constraints.dofs().clone(), constraints.projectors());
         Self { dofs, projectors, prescribed }
     }

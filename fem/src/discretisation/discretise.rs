@@ -4,9 +4,11 @@ use crate::boundary::level_unknowns::LevelUnknowns;
 use crate::discretisation::problem::{Assembled, Problem};
 use crate::discretisation::unknown::Unknown;
 use crate::error::Error;
+use crate::free::free_bodies::{FreeBodies, projected};
 use crate::options::choices::Cycle;
 use crate::options::prolongations::Prolongations;
 use crate::options::solving::Options;
+use crate::reference::difference::Difference;
 use octruss_mesh::{Hierarchy, Level};
 use octruss_solver::{Csr, Multigrid, NearNullSpace, Nodal, SolveOptions, conjugate_gradients};
 use std::time::Instant;
@@ -42,6 +44,12 @@ pub struct Discretisation<'h, E: Unknown = f64> {
     pub rhs: Vec<E::Nodal>,
     /// Which unknowns of the finest level are free, and what the others are.
     pub constraints: E::Constraints,
+    /// The problem that is solved in place of this one, for what the solution differs by
+    /// from a constant or a rigid motion, where values are prescribed far from zero.
+    pub difference: Option<Difference<E::Nodal>>,
+    /// The parts that nothing holds, if the problem balances their loads: `matrix` is
+    /// singular.
+    pub free: Option<FreeBodies<E::Nodal>>,
     /// The unknowns of each level, coarsest first.
     pub levels: Vec<LevelUnknowns<E>>,
     /// The matrices assembled on the coarse levels, coarsest first, where asked for.
@@ -75,11 +83,11 @@ impl<'h, E: Unknown> Discretisation<'h, E> {
             levels.push(E::level(&problem.constraints(level)?));
             if options.reassembles() {
                 let start = Instant::now();
-                coarse_matrices.push(problem.assemble(level)?.matrix);
+                coarse_matrices.push(problem.assemble(level)?.regularised().into_owned());
                 seconds += start.elapsed().as_secs_f64();
             }
         }
-        let Assembled { matrix, rhs, constraints } = problem.assemble(finest)?;
+        let Assembled { matrix, rhs, constraints, difference, free } = problem.assemble(finest)?;
         levels.push(E::level(&constraints));
         let missing_load = is_without_load(&rhs, &levels).then(|| problem.missing_load());
         // Assembled anew even where its matrix is at hand: only here is its load wanted.
@@ -97,6 +105,8 @@ impl<'h, E: Unknown> Discretisation<'h, E> {
             matrix,
             rhs,
             constraints,
+            difference,
+            free,
             levels,
             coarse_matrices,
             reassembly_seconds,
@@ -167,10 +177,30 @@ fn solve_coarsest<E: Unknown>(
     (level, unknowns): (&Level, &LevelUnknowns<E>),
     options: &Options,
 ) -> Result<Vec<E::Nodal>, Error> {
-    let Assembled { matrix, rhs, .. } = system;
     let (projectors, below) = (vec![unknowns.projectors.clone()], near_null_space(level, unknowns));
     let cycle = options.multigrid();
-    let mut multigrid = Multigrid::with_transfers(&matrix, Vec::new(), projectors, below, &cycle)?;
-    let (x, _) = conjugate_gradients(&matrix, &rhs, &mut multigrid, &SolveOptions::default())?;
-    Ok(x)
+    let regularised = system.regularised();
+    let mut multigrid =
+        Multigrid::with_transfers(&regularised, Vec::new(), projectors, below, &cycle)?;
+    drop(regularised);
+    let Assembled { matrix, rhs, constraints, difference, free } = system;
+    let solved = difference.as_ref().map_or(&rhs, |difference| &difference.rhs);
+    let (x, _) = projected(free.as_ref(), &mut multigrid, |cycle| {
+        conjugate_gradients(&matrix, solved, cycle, &SolveOptions::default())
+    })?;
+    Ok(measured_from_zero(difference.as_ref(), &E::level(&constraints), x))
+}
+
+/// The unknowns of a problem from those of the difference that was solved for, if one was.
+pub(crate) fn measured_from_zero<E: Unknown>(
+    difference: Option<&Difference<E::Nodal>>,
+    level: &LevelUnknowns<E>,
+    mut x: Vec<E::Nodal>,
+) -> Vec<E::Nodal> {
+    if let Some(difference) = difference {
+        let mut reference = difference.at_unknowns(level.dofs.free());
+        octruss_solver::project(&level.projectors, &mut reference);
+        x.iter_mut().zip(&reference).for_each(|(x, reference)| *x = x.plus(*reference));
+    }
+    x
 }

@@ -36,13 +36,14 @@ fn matrices(transfer: FullTransfer, hierarchy: &Hierarchy) -> Vec<Cow<'_, Subdiv
     (0..hierarchy.transfers()).map(matrix).collect()
 }
 
-/// One pass with one cycle a level.
+/// One pass with one cycle a level, to the unknowns of the difference where there is one.
 pub(crate) fn full_pass<E: Unknown>(
     transfer: FullTransfer,
     discretisation: &Discretisation<E>,
     multigrid: &mut Multigrid<E>,
 ) -> Result<Vec<E::Nodal>, Error> {
-    let Discretisation { hierarchy, matrix, rhs, levels, coarsest, .. } = discretisation;
+    let Discretisation { hierarchy, matrix, levels, coarsest, .. } = discretisation;
+    let rhs = discretisation.solved_rhs();
     let matrices = matrices(transfer, hierarchy);
     let transfers = matrices
         .iter()
@@ -52,8 +53,13 @@ pub(crate) fn full_pass<E: Unknown>(
     let Some(coarsest) = coarsest else {
         return Ok(multigrid.full_multigrid(rhs, &transfers, 1)?);
     };
-    let lift = smooth_lift(coarsest, &matrices, levels)?;
-    let mut rest = rhs.clone();
+    let mut lift = smooth_lift(coarsest, &matrices, levels)?;
+    if let Some(difference) = &discretisation.difference {
+        let reference = difference.at_unknowns(discretisation.finest().dofs.free());
+        lift.iter_mut().zip(&reference).for_each(|(x, reference)| *x = x.minus(*reference));
+        discretisation.project(&mut lift);
+    }
+    let mut rest = rhs.to_vec();
     kernels::residual(matrix, &lift, rhs, &mut rest);
     let mut x = multigrid.full_multigrid(&rest, &transfers, 1)?;
     x.iter_mut().zip(&lift).for_each(|(x, lift)| *x = x.plus(*lift));

@@ -7,13 +7,16 @@ use crate::boundary::constraints::Constraints;
 use crate::boundary::dofs::Dofs;
 use crate::discretisation::unknown::Unknown;
 use crate::error::Error;
+use crate::free::free_bodies::FreeBodies;
 use crate::options::prolongations::Prolongations;
 use crate::problem::biharmonic::Biharmonic;
 use crate::problem::elasticity::Elasticity;
 use crate::problem::poisson::Poisson;
 use crate::problem::scalar::Scalar;
+use crate::reference::difference::Difference;
 use octruss_mesh::{Hierarchy, Level, Scheme};
 use octruss_solver::Csr;
+use std::borrow::Cow;
 
 /// An equation with its data, on any level of a hierarchy.
 pub trait Problem {
@@ -53,17 +56,39 @@ pub struct Assembled<E: Unknown> {
     pub rhs: Vec<E::Nodal>,
     /// Which these are.
     pub constraints: E::Constraints,
+    /// The same for what the solution differs by from a constant or a rigid motion, where
+    /// values are prescribed far from zero.
+    pub difference: Option<Difference<E::Nodal>>,
+    /// The parts that nothing holds, if their loads were balanced: `matrix` is singular.
+    pub free: Option<FreeBodies<E::Nodal>>,
+}
+
+impl<E: Unknown> Assembled<E> {
+    /// The matrix, of free parts with a little on the diagonal: positive definite, for
+    /// preconditioners.
+    pub(crate) fn regularised(&self) -> Cow<'_, Csr<E>> {
+        regularised(&self.matrix, self.free.as_ref())
+    }
+}
+
+/// A matrix, of free parts with a little on the diagonal.
+pub(crate) fn regularised<'m, E: Unknown>(
+    matrix: &'m Csr<E>,
+    free: Option<&FreeBodies<E::Nodal>>,
+) -> Cow<'m, Csr<E>> {
+    free.map_or(Cow::Borrowed(matrix), |free| Cow::Owned(free.regularised(matrix)))
 }
 
 impl From<System> for Assembled<f64> {
-    fn from(System { matrix, rhs, dofs }: System) -> Self {
-        Self { matrix, rhs, constraints: dofs }
+    fn from(System { matrix, rhs, dofs, difference, free }: System) -> Self {
+        Self { matrix, rhs, constraints: dofs, difference, free }
     }
 }
 
 impl From<VectorSystem> for Assembled<[[f64; 3]; 3]> {
-    fn from(VectorSystem { matrix, rhs, constraints }: VectorSystem) -> Self {
-        Self { matrix, rhs, constraints }
+    fn from(system: VectorSystem) -> Self {
+        let VectorSystem { matrix, rhs, constraints, difference, free } = system;
+        Self { matrix, rhs, constraints, difference, free }
     }
 }
 

@@ -11,9 +11,22 @@ pub struct Solution<E: Unknown = f64> {
     pub values: Vec<E::Nodal>,
     /// A value for each free unknown.
     pub unknowns: Vec<E::Nodal>,
-    /// ‖b − A x‖ / ‖b‖ after the pass of full multigrid, if there was one, before the
+    /// For each vertex what its value differs by from a constant or a rigid motion, where
+    /// values are prescribed far from zero: see [`Solution::differences`].
+    pub difference: Option<Vec<E::Nodal>>,
+    /// The relative residual after the pass of full multigrid, if there was one, before the
     /// first iteration.
     pub full_multigrid_residual: Option<f64>,
     /// Iterations, residuals, times; the pass of full multigrid counts as solving.
+    /// Residuals are relative to the right-hand side, of the difference where there is one.
     pub report: SolveReport,
+}
+
+impl<E: Unknown> Solution<E> {
+    /// What to compute gradients from, and with them fluxes, strains and stresses: a value
+    /// for each vertex that has the same, `values` less a constant or a rigid motion where
+    /// values are prescribed far from zero. There `values` have lost digits that this has.
+    pub fn differences(&self) -> &[E::Nodal] {
+        self.difference.as_deref().unwrap_or(&self.values)
+    }
 }

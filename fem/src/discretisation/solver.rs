@@ -1,19 +1,21 @@
 //! What solves a discretised problem, set up once and used as often as wanted.
 
 use crate::boundary::level_unknowns::LevelUnknowns;
-use crate::discretisation::discretise::Discretisation;
+use crate::discretisation::discretise::{Discretisation, measured_from_zero};
 use crate::discretisation::full_multigrid::full_pass;
+use crate::discretisation::problem::regularised;
 use crate::discretisation::solution::Solution;
 use crate::discretisation::transfers::{TransferSummary, prolongations, summaries, transfers};
 use crate::discretisation::unknown::Unknown;
 use crate::error::Error;
+use crate::free::free_bodies::projected;
 use crate::options::choices::{Cycle, FullTransfer, Method};
 use crate::options::prolongations::Prolongations;
 use crate::options::solving::Options;
 use octruss_solver::Error as SolverError;
 use octruss_solver::{
-    EachIteration, Multigrid, Nodal, Precision, SolveOptions, conjugate_gradients,
-    stationary_iteration,
+    EachIteration, Entry, Multigrid, Nodal, Precision, SolveOptions, SolveReport, Unfinished,
+    conjugate_gradients, stationary_iteration,
 };
 use std::time::Instant;
 
@@ -50,61 +52,90 @@ impl<E: Unknown> Solver<'_, E> {
     /// [`Error::NoLoad`] if nothing acts; as [`conjugate_gradients`], in [`Error::Solver`]:
     /// what an iteration left behind that did not reach its goal is in [`Error::unfinished`].
     pub fn solve(&mut self, progress: Option<EachIteration>) -> Result<Solution<E>, Error> {
-        self.discretisation.check_loaded()?;
-        let error = match self.attempt(None, progress) {
-            Err(error) if self.options.precision.is_none() => error,
-            done => return done,
-        };
-        let is_single = self.multigrid.options().precision == Precision::Single;
-        let stalled = match &error {
-            Error::Solver(SolverError::NotConverged(at)) if is_single && at.has_stalled() => at,
-            Error::Solver(SolverError::NotPositiveDefinite { at, .. }) if is_single => at,
-            _ => return Err(error),
-        };
-        let options = Options { precision: Some(Precision::Double), ..self.options };
-        let seconds = self.setup_seconds;
-        *self = self.discretisation.solver(&options)?;
-        self.setup_seconds += seconds;
-        let mut solution = self.attempt(Some(&stalled.iterate), progress)?;
-        solution.report.follow(&stalled.report);
-        Ok(solution)
-    }
-
-    /// One iteration, from `start` if there is one.
-    fn attempt(
-        &mut self,
-        start: Option<&[f64]>,
-        progress: Option<EachIteration>,
-    ) -> Result<Solution<E>, Error> {
-        let Discretisation { matrix, rhs, .. } = self.discretisation;
+        let discretisation = self.discretisation;
+        discretisation.check_loaded()?;
         let began = Instant::now();
-        let full_transfer = self.full_transfer().filter(|_| start.is_none());
-        let full_pass = full_transfer
-            .map(|transfer| full_pass(transfer, self.discretisation, &mut self.multigrid))
+        let full_pass = self
+            .full_transfer()
+            .map(|transfer| full_pass(transfer, discretisation, &mut self.multigrid))
             .transpose()?;
         let pass_seconds = began.elapsed().as_secs_f64();
+        let solved = match self.iterate(full_pass.as_deref().map(Nodal::flat), progress) {
+            Err(error) => match self.lost_to_single_precision(&error) {
+                Some(earlier) => self.go_on_in_double(earlier, progress)?,
+                None => Err(error),
+            },
+            solved => solved,
+        };
+        let (mut x, mut report) = solved.map_err(|error| discretisation.told(error))?;
+        report.setup_seconds = self.setup_seconds;
+        report.solve_seconds += pass_seconds;
+        discretisation.centre(&mut x);
+        let difference = discretisation.difference.as_ref().map(|difference| {
+            discretisation.project(&mut x);
+            difference.expand(discretisation.finest().dofs.free(), &x)
+        });
+        let unknowns = discretisation.unknowns_of(x);
+        Ok(Solution {
+            values: discretisation.expand(&unknowns)?,
+            full_multigrid_residual: full_pass.is_some().then_some(report.residual_history[0]),
+            unknowns,
+            difference,
+            report,
+        })
+    }
+
+    /// Iterates from `start`, or zero.
+    fn iterate(&mut self, start: Option<&[f64]>, progress: Option<EachIteration>) -> Iterated<E> {
+        let discretisation = self.discretisation;
+        let (matrix, rhs) = (&discretisation.matrix, discretisation.solved_rhs());
         let stop = SolveOptions {
-            start: start.or(full_pass.as_deref().map(Nodal::flat)),
+            start,
             tolerance: self.options.tolerance,
             max_iterations: self.options.max_iterations,
             progress,
         };
-        let (unknowns, mut report) = match self.options.method() {
-            Method::ConjugateGradients => {
-                conjugate_gradients(matrix, rhs, &mut self.multigrid, &stop)?
-            }
-            Method::Cycle => stationary_iteration(matrix, rhs, &mut self.multigrid, &stop)?,
-        };
-        report.setup_seconds = self.setup_seconds;
-        report.solve_seconds += pass_seconds;
-        Ok(Solution {
-            values: self.discretisation.expand(&unknowns)?,
-            full_multigrid_residual: full_pass.is_some().then_some(report.residual_history[0]),
-            unknowns,
-            report,
+        let method = self.options.method();
+        projected(discretisation.free.as_ref(), &mut self.multigrid, |cycle| match method {
+            Method::ConjugateGradients => conjugate_gradients(matrix, rhs, cycle, &stop),
+            Method::Cycle => stationary_iteration(matrix, rhs, cycle, &stop),
         })
     }
+
+    /// What an iteration reached that stood still with single precision inside the cycle,
+    /// although nobody asked for that.
+    fn lost_to_single_precision<'e>(&self, error: &'e SolverError) -> Option<&'e Unfinished> {
+        let is_open = self.options.precision.is_none();
+        let is_single = self.multigrid.options().precision == Precision::Single;
+        match error {
+            SolverError::NotConverged(at) if at.has_stalled() => Some(at),
+            SolverError::NotPositiveDefinite { at, .. } => Some(at),
+            _ => None,
+        }
+        .filter(|_| is_open && is_single)
+        .map(|at| &**at)
+    }
+
+    /// Goes on where an iteration stood still, with a cycle in double precision.
+    fn go_on_in_double(
+        &mut self,
+        earlier: &Unfinished,
+        progress: Option<EachIteration>,
+    ) -> Result<Iterated<E>, Error> {
+        let options = Options { precision: Some(Precision::Double), ..self.options };
+        let seconds = self.setup_seconds;
+        *self = self.discretisation.solver(&options)?;
+        self.setup_seconds += seconds;
+        let mut solved = self.iterate(Some(&earlier.iterate), progress);
+        if let Ok((_, report)) = &mut solved {
+            report.follow(&earlier.report);
+        }
+        Ok(solved)
+    }
 }
+
+/// Unknowns and report of an iteration, or why it stopped.
+type Iterated<E> = Result<(Vec<<E as Entry>::Nodal>, SolveReport), SolverError>;
 
 impl<E: Unknown> Discretisation<'_, E> {
     /// Sets up what solves it: transfers, coarse matrices, smoothers. The options may be
@@ -120,13 +151,15 @@ impl<E: Unknown> Discretisation<'_, E> {
         let transfers = transfers(self, &made, options)?;
         let projectors = self.levels.iter().map(|level| level.projectors.clone()).collect();
         let cycle = options.multigrid();
+        let matrix = regularised(&self.matrix, self.free.as_ref());
         let multigrid = Multigrid::with_transfers(
-            &self.matrix,
+            &matrix,
             transfers,
             projectors,
             self.near_null_space(),
             &cycle,
         )?;
+        drop(matrix);
         let setup_seconds = start.elapsed().as_secs_f64();
         let transfers = summaries(self.hierarchy, &made);
         Ok(Solver { discretisation: self, options: *options, multigrid, transfers, setup_seconds })
@@ -146,6 +179,37 @@ impl<E: Unknown> Discretisation<'_, E> {
             return refuse("cycle");
         }
         Ok(())
+    }
+
+    /// The right-hand side that is solved for: that of the difference where there is one.
+    pub(crate) fn solved_rhs(&self) -> &[E::Nodal] {
+        self.difference.as_ref().map_or(&self.rhs, |difference| &difference.rhs)
+    }
+
+    /// The unknowns of the problem from those that were solved for.
+    fn unknowns_of(&self, x: Vec<E::Nodal>) -> Vec<E::Nodal> {
+        measured_from_zero(self.difference.as_ref(), self.finest(), x)
+    }
+
+    /// Takes what may be added to free parts out of the solution that these unknowns, of the
+    /// difference where there is one, belong to.
+    fn centre(&self, x: &mut [E::Nodal]) {
+        let Some(free) = &self.free else { return };
+        let whole = self.unknowns_of(x.to_vec());
+        let mut centred = whole.clone();
+        free.centre(&mut centred);
+        for ((x, whole), centred) in x.iter_mut().zip(&whole).zip(&centred) {
+            *x = x.plus(centred.minus(*whole));
+        }
+    }
+
+    /// An error with an iterate of the problem itself, if it has one.
+    fn told(&self, mut error: octruss_solver::Error) -> Error {
+        if let Some(at) = error.unfinished_mut() {
+            let x = E::Nodal::from_flat(&at.iterate);
+            at.iterate = Nodal::flat(&self.unknowns_of(x)).to_vec();
+        }
+        error.into()
     }
 
     /// Solves it.

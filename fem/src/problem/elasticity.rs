@@ -1,6 +1,7 @@
 //! What is to be solved: small displacements of an elastic body.
 
 use crate::problem::by_region::ByRegion;
+use crate::problem::free::Free;
 use crate::problem::scalar::Scalar;
 
 /// A vector for each position: its components.
@@ -31,6 +32,8 @@ pub struct Elasticity {
     /// What is held. Where a vertex is held in one direction twice, the last
     /// listed wins.
     pub supports: Vec<Support>,
+    /// What becomes of parts that can move without deforming.
+    pub free: Free,
 }
 
 /// An isotropic material.
@@ -41,7 +44,8 @@ pub struct Material {
     /// Poisson's ratio ν, above −1 and below 1/2. Linear tets lock, that is, come
     /// out too stiff, as it nears 1/2: from 0.45 on on a coarse mesh.
     pub poisson: Scalar,
-    /// Mass per unit of volume, at least 0; only gravity asks for it.
+    /// Mass per unit of volume, at least 0; only gravity and the inertia of free bodies ask
+    /// for it.
     pub density: Scalar,
 }
 
@@ -102,6 +106,7 @@ impl Elasticity {
             pressure: Vec::new(),
             springs: Vec::new(),
             supports: Vec::new(),
+            free: Free::Refuse,
         }
     }
 }

@@ -3,5 +3,6 @@
 pub mod biharmonic;
 pub mod by_region;
 pub mod elasticity;
+pub mod free;
 pub mod poisson;
 pub mod scalar;

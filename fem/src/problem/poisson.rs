@@ -1,6 +1,7 @@
 //! What is to be solved: −div(k grad u) = f with boundary data by surface.
 
 use crate::problem::by_region::ByRegion;
+use crate::problem::free::Free;
 use crate::problem::scalar::Scalar;
 
 /// −div(k grad u) = f in the body, u or k ∂u/∂n given on its surfaces.
@@ -21,6 +22,8 @@ pub struct Poisson {
     /// k ∂u/∂n = c (u₀ − u) on surfaces; several on one surface add up, also with
     /// flux.
     pub robin: Vec<(i32, Robin)>,
+    /// What becomes of parts with neither a fixed value nor a Robin condition.
+    pub free: Free,
 }
 
 /// Exchange with a surrounding: k ∂u/∂n = c (u₀ − u), such as the cooling of a
@@ -34,7 +37,7 @@ pub struct Robin {
 }
 
 impl Default for Poisson {
-    /// k = 1, f = 0, no boundary data.
+    /// k = 1, f = 0, no boundary data; free parts are refused.
     fn default() -> Self {
         Self {
             coefficient: 1.0.into(),
@@ -42,6 +45,7 @@ impl Default for Poisson {
             fixed: Vec::new(),
             flux: Vec::new(),
             robin: Vec::new(),
+            free: Free::Refuse,
         }
     }
 }

@@ -1,13 +1,14 @@
 //! The forces on a deformed body: what supports, springs and loads do to it.
 
-use crate::assemble::elasticity_load::{for_springs, load_vector};
+use crate::assemble::elasticity_load::{for_springs, spring_force};
+use crate::assemble::inertia_relief::BalancedLoad;
 use crate::assemble::scatter::Scatter;
 use crate::boundary::constraints::Constraints;
 use crate::element::p1::{scaled_gradients, triangle_area};
 use crate::error::Error;
 use crate::problem::elasticity::Elasticity;
 use crate::recovery::stress::full;
-use octruss_base::vector3::{Vector3, add, apply, dot3, length, scale, subtract};
+use octruss_base::vector3::{Vector3, add, apply, length, scale, subtract};
 use octruss_mesh::{TetMesh, Topology};
 use octruss_solver::check_size;
 
@@ -22,10 +23,16 @@ pub struct Forces {
     pub springs: Vec<[f64; 3]>,
     /// Body forces, gravity, tractions and pressures.
     pub loads: [f64; 3],
+    /// The inertia of parts that nothing holds, if the problem balances their loads.
+    pub inertia: [f64; 3],
+    /// The sizes of the forces at vertices, summed for supports, springs and loads apart, the
+    /// largest: forces that act against each other on one surface do not vanish from it.
+    pub size: f64,
 }
 
 impl Forces {
-    /// The forces at a displacement with these stresses.
+    /// The forces at a displacement with these stresses: of a solution, its `values`, and the
+    /// stresses from its [`differences`](crate::Solution::differences).
     ///
     /// # Errors
     /// [`octruss_solver::Error::Size`] unless there is a displacement for each vertex and a stress
@@ -39,9 +46,10 @@ impl Forces {
     ) -> Result<Self, Error> {
         check_size("displacements", displacement.len(), mesh.points().len())?;
         check_size("stresses", stresses.len(), mesh.tets().len())?;
-        let load = load_vector(mesh, topology, problem)?;
+        let balanced = BalancedLoad::new(mesh, topology, problem, constraints)?;
+        let load = balanced.total();
         let mut residual = internal_forces(mesh, stresses);
-        let mut springs = vec![[0.0; 3]; problem.springs.len()];
+        let (mut springs, mut sprung) = (vec![[0.0; 3]; problem.springs.len()], 0.0);
         for_springs(mesh, topology, problem, |index, triangle, corners, stiffness| {
             // The same rule as in the matrix: half of what acts at the midpoint of
             // an edge goes to each end.
@@ -50,10 +58,9 @@ impl Forces {
                 let middle = scale(0.5, add(corners[a], corners[b]));
                 let [u_a, u_b] = [a, b].map(|v| displacement[triangle[v] as usize]);
                 let moved = scale(0.5, add(u_a, u_b));
-                let force = stiffness(middle).into_iter().fold([0.0; 3], |sum, (along, k)| {
-                    add(sum, scale(-share * k * dot3(along, moved), along))
-                });
+                let force = spring_force(stiffness(middle), share, moved);
                 springs[index] = add(springs[index], force);
+                sprung += length(force);
                 for vertex in [a, b] {
                     let at = &mut residual[triangle[vertex] as usize];
                     *at = subtract(*at, scale(0.5, force));
@@ -61,23 +68,27 @@ impl Forces {
             }
         })?;
         let mut supports = vec![[0.0; 3]; problem.supports.len()];
+        let mut held_size = 0.0;
         for held in constraints.held() {
             let vertex = held.vertex as usize;
             let rest = subtract(residual[vertex], load[vertex]);
             let held_part = subtract(rest, apply(&held.projector, rest));
+            held_size += length(held_part);
             for (support, share) in held.shares(held_part) {
                 supports[support] = add(supports[support], share);
             }
         }
-        Ok(Self { supports, springs, loads: sum(&load) })
+        let loaded = balanced.given.iter().map(|force| length(*force)).sum::<f64>();
+        let size = loaded.max(sprung).max(held_size);
+        let (loads, inertia) = (sum(&balanced.given), sum(&balanced.inertia));
+        Ok(Self { supports, springs, loads, inertia, size })
     }
 
-    /// The size of the sum of all forces relative to the largest of them: 0 in
-    /// equilibrium, up to the accuracy of the solve.
+    /// The size of the sum of all forces relative to [`size`](Self::size): 0 in equilibrium,
+    /// up to the accuracy of the solve.
     pub fn imbalance(&self) -> f64 {
-        let all = [&self.supports[..], &self.springs, &[self.loads]].concat();
-        let largest = all.iter().map(|force| length(*force)).fold(0.0, f64::max);
-        if largest == 0.0 { 0.0 } else { length(sum(&all)) / largest }
+        let all = [&self.supports[..], &self.springs, &[self.loads, self.inertia]].concat();
+        if self.size == 0.0 { 0.0 } else { length(sum(&all)) / self.size }
     }
 }
 

@@ -19,8 +19,8 @@ pub use import_report::ImportReport;
 pub use outcome::{Bounds, Outcome};
 pub use run_report::{Report, SCHEMA};
 pub use solve::{
-    BodyFigures, Force, ForceFigures, KernelFigures, MethodFigures, SolveFigures, SolveStageReport,
-    SurfaceForce, TrafficFigures, TransferFigures,
+    BodyFigures, Force, ForceFigures, FreePartFigures, KernelFigures, MethodFigures, SolveFigures,
+    SolveStageReport, SurfaceForce, TrafficFigures, TransferFigures,
 };
 pub use stage_report::{Done, StageReport};
 pub use subdivide::{

@@ -145,6 +145,29 @@ impl<E: Entry> Csr<E> {
         self.cast_scaled(1.0)
     }
 
+    /// A + s I with a number s for each row; rows that store no diagonal entry are left as
+    /// they are. The pattern is shared.
+    ///
+    /// ```
+    /// let a = octruss_solver::Csr::new(2, vec![0, 2, 3], vec![0, 1, 1], vec![1.0, 2.0, 4.0])?;
+    /// assert_eq!(a.plus_diagonal(&[0.5, 0.25]).values(), [1.5, 2.0, 4.25]);
+    /// # Ok::<(), octruss_solver::Error>(())
+    /// ```
+    ///
+    /// # Panics
+    /// Unless there is one number for each row.
+    pub fn plus_diagonal(&self, numbers: &[E::Real]) -> Self {
+        assert_eq!(numbers.len(), self.rows());
+        let mut values = self.values.clone();
+        for (row, &number) in numbers.iter().enumerate() {
+            if let Ok(place) = self.row(row).0.binary_search(&(row as u32)) {
+                let diagonal = &mut values[self.offset(row) + place];
+                *diagonal = diagonal.add_scaled(number, E::identity());
+            }
+        }
+        self.with_values(values)
+    }
+
     /// `scale` times the matrix, every value then rounded to `F`.
     pub(crate) fn cast_scaled<F: Entry>(&self, scale: f64) -> Csr<F> {
         self.with_values(cast_all(&self.values, scale))

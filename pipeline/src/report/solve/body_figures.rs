@@ -24,7 +24,11 @@ pub struct ForceFigures {
     pub springs: Vec<SurfaceForce>,
     /// Body forces, gravity, tractions and pressures.
     pub loads: Force,
-    /// The size of the sum of all of them, relative to the largest.
+    /// The inertia that balances the loads of parts that nothing holds; left out without any.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub inertia: Option<Force>,
+    /// The size of the sum of all of them, relative to what acts: the sizes of the forces at
+    /// vertices, summed for loads, reactions and springs apart, the largest.
     #[serde(deserialize_with = "null_as_nan")]
     pub imbalance: f64,
 }

@@ -3,6 +3,7 @@
 use serde::{Deserialize, Serialize};
 
 use super::body_figures::BodyFigures;
+use super::free_part_figures::FreePartFigures;
 use super::solve_figures::SolveFigures;
 use crate::null::null_as_nan;
 
@@ -21,6 +22,9 @@ pub struct SolveStageReport {
     /// What may surprise; left out where there is nothing.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub notes: Vec<String>,
+    /// Parts that nothing holds, with what balances their loads.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub free_parts: Vec<FreePartFigures>,
     /// Of an elastic body, what else is of interest.
     #[serde(default, flatten, skip_serializing_if = "Option::is_none")]
     pub body: Option<BodyFigures>,

@@ -1,7 +1,9 @@
 //! What a deformed body has to show: strains, stresses, forces.
 
 use octruss_fem::Error;
-use octruss_fem::{Constraints, Elasticity, Forces, Recovery, strains, stresses, von_mises};
+use octruss_fem::{
+    Constraints, Elasticity, Forces, Recovery, Solution, strains, stresses, von_mises,
+};
 use octruss_mesh::{Level, RawMesh};
 use octruss_meshio::{Field, Values};
 use toml::Spanned;
@@ -15,27 +17,30 @@ pub(super) struct Body<'a> {
     pub(super) finest: &'a Level,
     pub(super) problem: &'a Elasticity,
     pub(super) constraints: &'a Constraints,
+    /// Whether there are parts that nothing holds.
+    pub(super) is_free: bool,
 }
 
 impl Body<'_> {
-    /// The figures, the fields on vertices and those on tets. `displacement` is
-    /// NaN at vertices of no tet.
+    /// The figures, the fields on vertices and those on tets. The displacements are NaN at
+    /// vertices of no tet.
     pub(super) fn describe(
         &self,
-        displacement: Vec<[f64; 3]>,
+        solution: &Solution<[[f64; 3]; 3]>,
     ) -> Result<(BodyFigures, Vec<Field>, Vec<Field>), Error> {
         let Level { mesh, topology, .. } = self.finest;
-        let strain = strains(mesh, &displacement)?;
+        let displacement = &solution.values;
+        let strain = strains(mesh, solution.differences())?;
         let stress = stresses(mesh, self.problem, &strain)?;
         let equivalent: Vec<f64> = stress.iter().map(von_mises).collect();
         let constraints = self.constraints;
         let forces =
-            Forces::new((mesh, topology), self.problem, constraints, &displacement, &stress)?;
+            Forces::new((mesh, topology), self.problem, constraints, displacement, &stress)?;
         let figures = BodyFigures {
             greatest_von_mises: equivalent.iter().copied().fold(0.0, f64::max),
             forces: self.force_figures(&forces),
         };
-        let mut point_fields = vec![field("displacement", &displacement)];
+        let mut point_fields = vec![field("displacement", displacement)];
         for (suffix, regions) in self.sides(mesh.raw()) {
             let recovery = Recovery::new(mesh, |id| regions.contains(&id));
             let strain = recovery.at_vertices(&strain)?;
@@ -85,6 +90,7 @@ impl Body<'_> {
             reactions: by_name(mesh, fixed, supports.zip(&forces.supports)),
             springs: by_name(mesh, sprung, springs.zip(&forces.springs)),
             loads: forces.loads.into(),
+            inertia: self.is_free.then(|| forces.inertia.into()),
             imbalance: forces.imbalance(),
         }
     }

@@ -1,6 +1,7 @@
 //! An elastic body from the names that a config uses.
 
-use octruss_fem::{ByRegion, Elasticity, Held, Material, Stiffness, Support, vector};
+use octruss_base::choice::named;
+use octruss_fem::{ByRegion, Elasticity, Free, Held, Material, Stiffness, Support, vector};
 use octruss_mesh::RawMesh;
 use serde::Deserialize;
 use toml::Spanned;
@@ -31,6 +32,9 @@ pub struct ElasticityKeys {
     pub pressure: Vec<OnSurface>,
     /// Force per unit of area and of displacement, against it.
     pub springs: Vec<Springs>,
+    /// What becomes of parts that can move without deforming.
+    #[serde(deserialize_with = "named")]
+    pub free: Free,
 }
 
 impl Default for ElasticityKeys {
@@ -43,6 +47,7 @@ impl Default for ElasticityKeys {
             traction: Vec::new(),
             pressure: Vec::new(),
             springs: Vec::new(),
+            free: Free::default(),
         }
     }
 }
@@ -67,6 +72,7 @@ pub(crate) fn problem(
         pressure: on_surfaces(pressures, mesh, context)?,
         springs: on_surfaces(springs, mesh, context)?,
         supports: supports.into_iter().map(|(surface, held)| Support { surface, held }).collect(),
+        free: keys.free,
     })
 }
 

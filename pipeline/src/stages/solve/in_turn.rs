@@ -2,12 +2,13 @@
 
 use std::time::Instant;
 
-use octruss_fem::{Discretisation, Error as FemError, Problem, Unknown};
+use octruss_fem::{Discretisation, Error as FemError, Problem, Solution, Unknown};
 use octruss_mesh::{Hierarchy, TetMesh};
 use octruss_meshio::{Field, Values};
 use octruss_solver::Nodal;
 
 use super::equation::Equation;
+use super::free_parts::free_parts;
 use super::keys::Solve;
 use super::outcome::Outcome;
 use super::unfinished::keep;
@@ -26,10 +27,13 @@ pub(super) fn scalar(
 ) -> Result<Outcome, Error> {
     let (discrete, assembly_seconds) = discretise(options, hierarchy, problem, context)?;
     let magnitude = |u: &f64| *u;
-    let (mut solution, solves) = solve_in_turn(options, &discrete, magnitude, context)?;
+    let (first, solves) = solve_in_turn(options, &discrete, magnitude, context)?;
+    let mut solution = first.values;
     blank_outside(&mut solution, &hierarchy.finest().mesh, f64::NAN);
     let point_fields = vec![Field::scalar("solution", solution)];
-    Ok(Outcome { solves, assembly_seconds, point_fields, ..Outcome::default() })
+    let (free_parts, notes) = free_parts(&discrete);
+    context.remark(&notes);
+    Ok(Outcome { solves, assembly_seconds, notes, free_parts, point_fields, ..Outcome::default() })
 }
 
 /// Assembles as the first step of a stage; what came of it, and the seconds.
@@ -51,21 +55,20 @@ pub(super) fn discretise<'h, P: Problem>(
     Ok((discrete, start.elapsed().as_secs_f64()))
 }
 
-/// Solves with each prolongation: the first solution at all vertices, and the figures of
-/// all, with the range of what `magnitude` makes of values at vertices of tets.
+/// Solves with each prolongation: the first solution, and the figures of all, with the range of what `magnitude` makes of values at vertices of tets.
 pub(super) fn solve_in_turn<E: Unknown>(
     options: &Solve,
     discrete: &Discretisation<E>,
     magnitude: impl Fn(&E::Nodal) -> f64,
     context: &Context,
-) -> Result<(Vec<E::Nodal>, Vec<SolveFigures>), Error> {
+) -> Result<(Solution<E>, Vec<SolveFigures>), Error> {
     let all_options = options.in_turn();
     let steps = all_options.len() + 1;
     let (mut first, mut all) = (None, Vec::new());
     for (index, chosen) in all_options.into_iter().enumerate() {
         let prolongations = chosen.prolongation.unwrap_or(discrete.usual_prolongation);
         let what = format!("{prolongations} prolongation");
-        let (values, figures) = context.step(index + 2, steps, &what, || {
+        let (solution, figures) = context.step(index + 2, steps, &what, || {
             let solve = || {
                 let mut solver = discrete.solver(&chosen)?;
                 let tell = |iteration: usize, residual: f64| {
@@ -84,12 +87,13 @@ pub(super) fn solve_in_turn<E: Unknown>(
             let mut figures = SolveFigures::new(&chosen, &solver, &solution, range);
             figures.account = options.account.then(|| solver.multigrid.traffic(REPEATS).into());
             let result = figures.result();
-            Ok::<_, Error>(((solution.values, figures), result))
+            Ok::<_, Error>(((solution, figures), result))
         })?;
-        first.get_or_insert(values);
+        first.get_or_insert(solution);
         all.push(figures);
     }
-    Ok((first.unwrap_or_default(), all))
+    let nothing = || context.request("`prolongation` lists none to solve with".into());
+    Ok((first.ok_or_else(nothing)?, all))
 }
 
 /// How often each kernel is measured; the median counts.

@@ -10,6 +10,7 @@ pub mod deformation;
 pub mod elasticity;
 pub mod equation;
 pub mod fixed;
+pub mod free_parts;
 pub mod in_turn;
 pub mod keys;
 pub mod locked_supports;

@@ -2,7 +2,7 @@
 
 use octruss_meshio::Field;
 
-use crate::report::{BodyFigures, SolveFigures};
+use crate::report::{BodyFigures, FreePartFigures, SolveFigures};
 
 /// What solving a problem brings.
 #[derive(Default)]
@@ -10,6 +10,7 @@ pub(super) struct Outcome {
     pub(super) solves: Vec<SolveFigures>,
     pub(super) assembly_seconds: f64,
     pub(super) body: Option<BodyFigures>,
+    pub(super) free_parts: Vec<FreePartFigures>,
     pub(super) point_fields: Vec<Field>,
     pub(super) cell_fields: Vec<Field>,
     /// What a user should know.

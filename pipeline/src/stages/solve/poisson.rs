@@ -1,6 +1,7 @@
 //! A Poisson problem from the names that a config uses.
 
-use octruss_fem::{Poisson, Robin, Scalar};
+use octruss_base::choice::named;
+use octruss_fem::{Free, Poisson, Robin, Scalar};
 use octruss_mesh::RawMesh;
 use serde::Deserialize;
 use toml::Spanned;
@@ -25,6 +26,9 @@ pub struct PoissonKeys {
     pub flux: Vec<OnSurface>,
     /// k ∂u/∂n = coefficient (value − u) on surfaces.
     pub robin: Vec<RobinOnSurface>,
+    /// What becomes of parts with neither a fixed surface nor a Robin condition.
+    #[serde(deserialize_with = "named")]
+    pub free: Free,
 }
 
 impl Default for PoissonKeys {
@@ -35,6 +39,7 @@ impl Default for PoissonKeys {
             source: PerRegion::Uniform(Value::Number(0.0)),
             flux: Vec::new(),
             robin: Vec::new(),
+            free: Free::default(),
         }
     }
 }
@@ -68,5 +73,6 @@ pub(crate) fn problem(
             mesh,
             context,
         )?,
+        free: keys.free,
     })
 }

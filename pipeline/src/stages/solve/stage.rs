@@ -32,12 +32,20 @@ impl Solve {
             }
             ProblemKeys::Elasticity(keys) => deformation::solve(self, keys, hierarchy, context)?,
         };
-        let Outcome { solves, assembly_seconds, body, point_fields, cell_fields, notes } = outcome;
+        let Outcome {
+            solves,
+            assembly_seconds,
+            notes,
+            free_parts,
+            body,
+            point_fields,
+            cell_fields,
+        } = outcome;
         let number = context.stage.label.strip_prefix("solve").unwrap_or_default();
         add_fields(&mut state.point_fields, point_fields, number);
         add_fields(&mut state.cell_fields, cell_fields, number);
         let problem = self.problem.equation().name().into();
-        Ok(SolveStageReport { problem, assembly_seconds, solves, notes, body })
+        Ok(SolveStageReport { problem, assembly_seconds, notes, solves, free_parts, body })
     }
 }
 

@@ -124,6 +124,22 @@ pub enum Error {
         /// The independent motions that remain, at most six.
         modes: Vec<RigidMode>,
     },
+    /// What holds a part of the body is less than rounding of what the part is made of.
+    #[error(
+        "what holds {vertices} vertices of {regions}, among them vertex {example}, is less than \
+         rounding of the numbers of the system: {motion}; hold more of it, or bring coefficients \
+         nearer together than fourteen powers of ten"
+    )]
+    LostToRounding {
+        /// How many vertices can move.
+        vertices: usize,
+        /// The first of them.
+        example: u32,
+        /// The regions of the tets that have no others.
+        regions: String,
+        /// How they move, in words.
+        motion: String,
+    },
     /// A body that shares only edges or single vertices with the rest can move about these.
     #[error(
         "a body of the mesh with {vertices} vertices, among them vertex {example}, hangs on the \

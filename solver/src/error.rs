@@ -91,6 +91,9 @@ pub enum Error {
         cholesky: String,
         /// What LU said, or the relative residual of its test.
         lu: String,
+        /// A vector that the matrix sends to zero but for rounding, brought to the finest
+        /// level: a number, or three, for each of its rows. Empty if none was found.
+        null_vector: Vec<f64>,
     },
     /// A direction p with p · A p ≤ 0 was met, or a preconditioner that is not
     /// positive.

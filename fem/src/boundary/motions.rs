@@ -2,7 +2,7 @@
 
 use crate::rigid_mode::{ROUNDING, RigidMode};
 use nalgebra::{Matrix6, RowVector6, SymmetricEigen, Vector6};
-use octruss_base::vector3::{Vector3, add, cross, dot3, length, scale, subtract};
+use octruss_base::vector3::{IDENTITY, Vector3, add, cross, dot3, length, scale, subtract};
 
 /// Motions that change the held directions by less than this, relative to what a
 /// held motion does, squared, count as free.
@@ -53,6 +53,30 @@ impl Frame {
     /// A space of motions by modes as plain as they get.
     pub(crate) fn modes(&self, space: Vec<RowVector6<f64>>) -> Vec<RigidMode> {
         echelon(space).iter().map(|row| mode(row, self)).collect()
+    }
+}
+
+impl Frame {
+    /// The motion nearest to displacements of some positions, in the mean of squares; none if
+    /// what is left of them is more than a tenth.
+    pub(crate) fn nearest_mode(&self, moved: &[(Vector3, Vector3)]) -> Option<RigidMode> {
+        let (mut gram, mut sum) = (Matrix6::zeros(), Vector6::zeros());
+        let along = |&(position, displacement): &(Vector3, Vector3)| {
+            let axes = IDENTITY.into_iter().zip(displacement);
+            axes.map(move |(axis, value)| (self.row(position, axis), value))
+        };
+        for (row, value) in moved.iter().flat_map(along) {
+            gram += row * row.transpose();
+            sum += value * row;
+        }
+        let motion = gram.pseudo_inverse(FREE).ok()? * sum;
+        let squares = moved
+            .iter()
+            .flat_map(along)
+            .map(|(row, value)| [(value - motion.dot(&row)).powi(2), value.powi(2)]);
+        let [rest, whole] = squares.fold([0.0; 2], |[a, b], [c, d]| [a + c, b + d]);
+        let is_rigid = rest < 0.01 * whole;
+        is_rigid.then(|| mode(&motion.transpose(), self))
     }
 }
 

@@ -6,6 +6,7 @@
 
 pub mod discretise;
 pub mod full_multigrid;
+pub mod lost_to_rounding;
 pub mod problem;
 pub mod solution;
 pub mod solver;

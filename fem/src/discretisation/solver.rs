@@ -158,7 +158,8 @@ impl<E: Unknown> Discretisation<'_, E> {
             projectors,
             self.near_null_space(),
             &cycle,
-        )?;
+        )
+        .map_err(|error| self.told_of_the_mesh(error))?;
         drop(matrix);
         let setup_seconds = start.elapsed().as_secs_f64();
         let transfers = summaries(self.hierarchy, &made);

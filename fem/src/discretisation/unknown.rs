@@ -3,6 +3,7 @@
 use crate::boundary::constraints::Constraints;
 use crate::boundary::dofs::Dofs;
 use crate::boundary::level_unknowns::LevelUnknowns;
+use crate::boundary::motions::Frame;
 use crate::error::Error;
 use octruss_solver::{NearNullSpace, SystemEntry};
 
@@ -14,6 +15,9 @@ pub trait Unknown: SystemEntry {
 
     /// The unknowns as a level of the multigrid sees them.
     fn level(constraints: &Self::Constraints) -> LevelUnknowns<Self>;
+
+    /// What vertices with these (position, value) do, in words, if it takes no energy.
+    fn motion(moved: &[([f64; 3], Self::Nodal)]) -> Option<String>;
 
     /// What has no energy on unconstrained vertices at these positions.
     fn near_null_space(positions: Vec<[f64; 3]>) -> NearNullSpace;
@@ -35,6 +39,12 @@ impl Unknown for f64 {
         constraints.clone().into()
     }
 
+    fn motion(moved: &[([f64; 3], f64)]) -> Option<String> {
+        let mean = moved.iter().map(|(_, value)| value).sum::<f64>() / moved.len().max(1) as f64;
+        let is_constant = moved.iter().all(|(_, value)| (value - mean).abs() < 0.1 * mean.abs());
+        is_constant.then(|| "a constant may be added to their values".into())
+    }
+
     fn near_null_space(_: Vec<[f64; 3]>) -> NearNullSpace {
         NearNullSpace::Constants
     }
@@ -49,6 +59,11 @@ impl Unknown for [[f64; 3]; 3] {
 
     fn level(constraints: &Constraints) -> LevelUnknowns<Self> {
         constraints.into()
+    }
+
+    fn motion(moved: &[([f64; 3], [f64; 3])]) -> Option<String> {
+        let frame = Frame::around(moved.iter().map(|(position, _)| *position), || [0.0; 3]);
+        frame.nearest_mode(moved).map(|mode| mode.to_string())
     }
 
     fn near_null_space(positions: Vec<[f64; 3]>) -> NearNullSpace {

@@ -78,7 +78,7 @@ pub fn conjugate_gradients<E: Entry<Real = f64>>(
             x.iter().zip(&p).map(step_back).collect()
         });
         previous_rz = rz;
-        if run.is_worth_a_look(&r, residual_norm) {
+        if run.is_worth_a_look((&x, &r), residual_norm) {
             matrix.residual(&x, rhs, &mut r);
             let true_norm = norm(&r);
             if run.is_small(true_norm) {

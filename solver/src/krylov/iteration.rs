@@ -20,7 +20,9 @@ pub struct SolveOptions<'a> {
     /// each row. One that is no nearer to the solution than zero, in the energy norm,
     /// is passed over, so that a poor start does not cost iterations.
     pub start: Option<&'a [f64]>,
-    /// Stop when ‖b − A x‖ ≤ tolerance ‖b‖, in the Euclidean norm.
+    /// Stop when ‖b − A x‖ ≤ tolerance ‖b‖, in the Euclidean norm; conjugate gradients go on
+    /// while they estimate the error in the energy norm at more than ten times the tolerance,
+    /// relative to the solution.
     pub tolerance: f64,
     /// Give up after this many iterations.
     pub max_iterations: usize,
@@ -37,6 +39,10 @@ impl Default for SolveOptions<'_> {
 
 /// A backward error of some units of rounding: rows have dozens of entries.
 const ROUNDING: f64 = 64.0 * f64::EPSILON;
+
+/// The error in the energy norm may be this many times the tolerance. It hardly ever is: only
+/// where the residual tells little of it, as where a soft part holds a stiff one.
+const NEAR: f64 = 10.0;
 
 /// By so many steps the convergence is judged.
 const LAST_STEPS: usize = 6;
@@ -145,13 +151,20 @@ impl<'a, E: Entry<Real = f64>> Iteration<'a, E> {
         self.backward_error.is_some_and(|error| error <= ROUNDING)
     }
 
-    /// Whether a residual that a recurrence gives is worth to be looked at: as small as was
-    /// asked for, or, once that was in vain twice, as small in every row as rounding makes
-    /// the true one.
-    pub(crate) fn is_worth_a_look(&self, r: &[E::Nodal], residual_norm: f64) -> bool {
+    /// Whether an iterate with the residual that a recurrence gives is worth to be looked at:
+    /// small enough, and near enough to the solution as far as steps tell; or, once that was
+    /// in vain twice, with a residual as small in every row as rounding makes the true one.
+    pub(crate) fn is_worth_a_look(
+        &self,
+        (x, r): (&[E::Nodal], &[E::Nodal]),
+        residual_norm: f64,
+    ) -> bool {
         match &self.row_sizes {
             Some(sizes) if self.looks > 1 => largest_share(r, sizes) <= f64::EPSILON,
-            _ => self.is_small(residual_norm),
+            _ => {
+                let is_near = |error| error <= NEAR * self.options.tolerance;
+                self.is_small(residual_norm) && self.energy_error(x).is_none_or(is_near)
+            }
         }
     }
 

@@ -46,6 +46,19 @@ impl std::fmt::Debug for CoarseSolver {
     }
 }
 
+/// Why a factor is not trusted.
+struct Untrusted {
+    reason: String,
+    /// What the matrix sends to zero, if that is why.
+    null_vector: Vec<f64>,
+}
+
+impl From<String> for Untrusted {
+    fn from(reason: String) -> Self {
+        Self { reason, null_vector: Vec::new() }
+    }
+}
+
 /// A factored matrix with all memory that solving needs.
 pub(crate) struct CoarseSolver {
     matrix: Csr<f64>,
@@ -104,19 +117,26 @@ impl CoarseSolver {
         }
         let offsets = offsets(&matrix);
         let columns = columns(&matrix, &offsets);
-        let factored = cholesky(columns, known).and_then(|made| Self::tested(&matrix, made));
+        let factored = cholesky(columns, known)
+            .map_err(Untrusted::from)
+            .and_then(|made| Self::tested(&matrix, made));
         let cholesky = match factored {
             Ok(solver) => return Ok(solver),
             Err(reason) => reason,
         };
-        lu(columns)
-            .and_then(|made| Self::tested(&matrix, made))
-            .map_err(|lu| Error::CoarsestSingular { unknowns, cholesky, lu })
+        lu(columns).map_err(Untrusted::from).and_then(|made| Self::tested(&matrix, made)).map_err(
+            |lu| Error::CoarsestSingular {
+                unknowns,
+                cholesky: cholesky.reason,
+                lu: lu.reason,
+                null_vector: lu.null_vector,
+            },
+        )
     }
 
     /// Wraps a factor if it solves a system with known noise on the right, and finds no
     /// vector that the matrix sends to zero.
-    fn tested(matrix: &Csr<f64>, (factor, space): (Factor, StackReq)) -> Result<Self, String> {
+    fn tested(matrix: &Csr<f64>, (factor, space): (Factor, StackReq)) -> Result<Self, Untrusted> {
         let n = matrix.rows();
         let workspace = MemBuffer::try_new(space).map_err(|error| format!("{error:?}"))?;
         let (matrix, correction) = (matrix.clone(), vec![0.0; n]);
@@ -125,31 +145,33 @@ impl CoarseSolver {
         solver.solve(&b, &mut x);
         let error = backward_error(&solver.matrix, &x, &b);
         if error > TOLERANCE || error.is_nan() {
-            return Err(format!("backward error {error:.1e} on a test system"));
+            return Err(format!("backward error {error:.1e} on a test system").into());
         }
-        let smallest = solver.smallest_eigenvalue();
+        let (smallest, null_vector) = solver.smallest_eigenvalue();
         if smallest < SINGULAR || smallest.is_nan() {
-            return Err(format!("smallest eigenvalue {smallest:.1e} of its diagonal"));
+            let reason = format!("smallest eigenvalue {smallest:.1e} of its diagonal");
+            return Err(Untrusted { reason, null_vector });
         }
         Ok(solver)
     }
 
     /// The smallest absolute eigenvalue of D^(−1/2) A D^(−1/2), D the diagonal, from above,
-    /// by inverse iteration; infinite without unknowns.
-    fn smallest_eigenvalue(&mut self) -> f64 {
+    /// by inverse iteration, infinite without unknowns; and D^(−1/2) times its eigenvector.
+    fn smallest_eigenvalue(&mut self) -> (f64, Vec<f64>) {
         let roots: Vec<f64> = self.matrix.diagonal().iter().map(|d| d.abs().sqrt()).collect();
         let scale = |v: &mut [f64]| v.iter_mut().zip(&roots).for_each(|(v, root)| *v *= root);
         let mut v = noise(roots.len(), 3);
-        let mut smallest = f64::INFINITY;
+        let (mut smallest, mut x) = (f64::INFINITY, Vec::new());
         for _ in 0..INVERSE_STEPS {
             let size = norm(&v);
             v.iter_mut().for_each(|v| *v /= size);
             scale(&mut v);
             self.apply_factor(&mut v);
+            x.clone_from(&v);
             scale(&mut v);
             smallest = 1.0 / norm(&v);
         }
-        if roots.is_empty() { f64::INFINITY } else { smallest }
+        (if roots.is_empty() { f64::INFINITY } else { smallest }, x)
     }
 
     /// The elimination order, for another matrix; not that of LU, the fallback.

@@ -18,7 +18,8 @@ use crate::multigrid::weights::Weights;
 use crate::sparse::blocks::expand_blocks;
 use crate::sparse::csr::Csr;
 use crate::sparse::dot::largest;
-use crate::sparse::entry::Entry;
+use crate::sparse::entry::{Entry, Nodal};
+use crate::sparse::real::Real;
 use std::borrow::Cow;
 
 /// A direct solution is cheap if its factor has at most this share of the numbers of the
@@ -132,7 +133,8 @@ impl<'m, E: Entry<Real = f64>, F: Entry> Descent<'m, E, F> {
         mut self,
         elimination: Option<Elimination>,
     ) -> Result<(Cycle<F>, Vec<LevelSummary>), Error> {
-        let solver = CoarseSolver::new(expand_blocks(&self.current, self.scale), elimination)?;
+        let solver = CoarseSolver::new(expand_blocks(&self.current, self.scale), elimination)
+            .map_err(|error| self.with_null_vector_on_the_finest(error))?;
         self.summaries.push(LevelSummary {
             origin: self.origin,
             bytes: solver.bytes(),
@@ -142,6 +144,23 @@ impl<'m, E: Entry<Real = f64>, F: Entry> Descent<'m, E, F> {
         let shape = self.options.shape;
         let cycle = Cycle::new(self.finest_rows, self.levels, coarsest, shape, self.scale);
         Ok((cycle, self.summaries))
+    }
+}
+
+impl<E: Entry<Real = f64>, F: Entry> Descent<'_, E, F> {
+    /// What the coarsest matrix sends to zero, prolonged: only there do rows mean something
+    /// to who reads the error.
+    fn with_null_vector_on_the_finest(&self, mut error: Error) -> Error {
+        if let Error::CoarsestSingular { null_vector, .. } = &mut error
+            && !null_vector.is_empty()
+        {
+            let mut x = F::Nodal::from_flat(null_vector);
+            for level in self.levels.iter().rev() {
+                x = level.transfer(None, &x);
+            }
+            *null_vector = F::Nodal::flat(&x).iter().map(|number| number.to_f64()).collect();
+        }
+        error
     }
 }
 

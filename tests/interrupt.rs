@@ -16,10 +16,9 @@ use octruss::Recipe;
 use octruss::observer::{Event, StagePlace};
 use octruss_meshio::Values;
 
-/// Cycles alone never get to such a tolerance, and rounding does not stop them.
-const ENDLESS: [&str; 4] = [
+/// Cycles alone never get to such a tolerance; a while passes until rounding ends them.
+const ENDLESS: [&str; 3] = [
     "stage.solve.method=cycle",
-    "stage.solve.smoother=l1-jacobi",
     "stage.solve.tolerance=1e-300",
     "stage.solve.max-iterations=1000000000",
 ];
@@ -89,7 +88,7 @@ fn a_solve_stops_between_iterations_and_keeps_its_iterate() {
     child.stdout.take().unwrap().read_to_string(&mut said).unwrap();
     assert!(said.starts_with("cube-poisson: failed") && said.ends_with("quickstart: not run\n"));
     let kept = octruss_meshio::read(&out.join("unfinished.vtu")).unwrap();
-    assert_eq!((kept.mesh.tets.len(), kept.point_fields[0].name.as_str()), (2880, "solution"));
+    assert_eq!((kept.mesh.tets.len(), kept.point_fields[0].name.as_str()), (184_320, "solution"));
     let Values::Float(values) = &kept.point_fields[0].values else { panic!() };
     // The solution is between 0 and 0.0562 in the middle; one cycle is near it.
     let greatest = values.iter().copied().fold(0.0, f64::max);

@@ -120,6 +120,18 @@ impl ByVertex<'_> {
         self.held.get(self.slots[vertex as usize] as usize)
     }
 
+    /// The place of a vertex in [`Constraints::held`]; none where it is free.
+    #[inline]
+    pub(crate) fn place(&self, vertex: u32) -> Option<usize> {
+        let slot = self.slots[vertex as usize] as usize;
+        (slot < self.held.len()).then_some(slot)
+    }
+
+    /// How many vertices are held.
+    pub(crate) fn count(&self) -> usize {
+        self.held.len()
+    }
+
     /// The prescribed displacement of a vertex; 0 where it is free.
     #[inline]
     pub(crate) fn value(&self, vertex: u32) -> Vector3 {

@@ -1,7 +1,9 @@
 //! What a deformed body has to show: strains, stresses, forces.
 
 use octruss_fem::Error;
-use octruss_fem::{Constraints, Elasticity, Forces, Recovery, strains, stresses, von_mises};
+use octruss_fem::{
+    Constraints, Elasticity, Forces, Recovery, equivalent_stresses, strains, stresses,
+};
 use octruss_mesh::{Level, RawMesh};
 use octruss_meshio::{Field, Values};
 use toml::Spanned;
@@ -27,7 +29,7 @@ impl Body<'_> {
         let Level { mesh, topology, .. } = self.finest;
         let strain = strains(mesh, &displacement)?;
         let stress = stresses(mesh, self.problem, &strain)?;
-        let equivalent: Vec<f64> = stress.iter().map(von_mises).collect();
+        let equivalent = equivalent_stresses(&stress);
         let constraints = self.constraints;
         let forces =
             Forces::new((mesh, topology), self.problem, constraints, &displacement, &stress)?;
@@ -35,26 +37,26 @@ impl Body<'_> {
             greatest_von_mises: equivalent.iter().copied().fold(0.0, f64::max),
             forces: self.force_figures(&forces),
         };
-        let mut point_fields = vec![field("displacement", &displacement)];
+        let mut point_fields = vec![field("displacement", displacement)];
         for (suffix, regions) in self.sides(mesh.raw()) {
-            let recovery = Recovery::new(mesh, |id| regions.contains(&id));
+            let recovery = Recovery::new(mesh, |id| regions.binary_search(&id).is_ok());
             let strain = recovery.at_vertices(&strain)?;
             let stress = recovery.at_vertices(&stress)?;
-            let equivalent = stress.iter().map(von_mises).collect();
-            point_fields.push(field(&format!("strain{suffix}"), &strain));
-            point_fields.push(field(&format!("stress{suffix}"), &stress));
+            let equivalent = equivalent_stresses(&stress);
+            point_fields.push(field(&format!("strain{suffix}"), strain));
+            point_fields.push(field(&format!("stress{suffix}"), stress));
             point_fields.push(Field::scalar(format!("von-mises{suffix}"), equivalent));
         }
         let cell_fields = vec![
-            field("strain", &strain),
-            field("stress", &stress),
+            field("strain", strain),
+            field("stress", stress),
             Field::scalar("von-mises", equivalent),
         ];
         Ok((figures, point_fields, cell_fields))
     }
 
-    /// The regions that share a material, over whose borders nothing jumps, and
-    /// how fields recovered in them are called: plainly if they are all.
+    /// The regions that share a material, over whose borders nothing jumps, each
+    /// list ascending, and how fields recovered in them are called: plainly if they are all.
     fn sides(&self, mesh: &RawMesh) -> Vec<(String, Vec<i32>)> {
         let material = |id: i32| self.problem.material.of(id);
         let mut sides: Vec<Vec<i32>> = Vec::new();
@@ -109,7 +111,6 @@ fn by_name<'a>(
     all
 }
 
-fn field<const K: usize>(name: &str, tuples: &[[f64; K]]) -> Field {
-    let values = Values::Float(tuples.as_flattened().to_vec());
-    Field::new(name, K, values)
+fn field<const K: usize>(name: &str, tuples: Vec<[f64; K]>) -> Field {
+    Field::new(name, K, Values::Float(tuples.into_flattened()))
 }

@@ -13,6 +13,9 @@ pub(crate) struct OutwardTriangle {
     pub(crate) double_area: [f64; 3],
 }
 
+/// A triangle, and the tets on it.
+type OnTets = ([u32; 3], [u32; 2]);
+
 /// Checks that a surface id is in use.
 pub(crate) fn check_surface(mesh: &TetMesh, id: i32) -> Result<(), Error> {
     if mesh.triangles().tags.contains(&id) {
@@ -42,7 +45,7 @@ fn attached_triangles(
     mesh: &TetMesh,
     topology: &Topology,
     surface: i32,
-) -> Result<Vec<([u32; 3], [u32; 2])>, Error> {
+) -> Result<Vec<OnTets>, Error> {
     check_surface(mesh, surface)?;
     let triangles: Vec<[u32; 3]> = triangles_of(mesh, surface).collect();
     let with_tets = |at: usize| (triangles[at], face_tets(topology, triangles[at]));
@@ -67,7 +70,7 @@ pub(crate) fn outward_triangles(
     if inner > 0 {
         return Err(Error::InnerSurface { id: surface, inner });
     }
-    let outward = |(vertices, [tet, _]): ([u32; 3], [u32; 2])| {
+    let outward = |(vertices, [tet, _]): OnTets| {
         let tet = mesh.tets()[tet as usize];
         let [a, b, c] = vertices.map(|v| mesh.points()[v as usize]);
         let normal = cross(subtract(b, a), subtract(c, a));

@@ -18,7 +18,6 @@ use crate::refinement::subdivision_matrix::SubdivisionMatrix;
 use crate::soundness::quality::smallest_mean_ratio;
 use crate::subdivide::red_split::parents::Parents;
 use crate::subdivide::red_split::parts::{PARTS, child_of, families, parent_of};
-use octruss_base::large_array::zeroed;
 use octruss_base::ragged::CHUNK;
 use octruss_base::vector3::{add, dot3, subtract};
 
@@ -106,12 +105,11 @@ impl Guard<'_> {
     /// the points with them.
     pub fn apply(&self, matrix: &mut SubdivisionMatrix, points: &mut [[f64; 3]]) -> GuardReport {
         let mut report = GuardReport { floor: self.floor, ..GuardReport::default() };
-        let mut bad = self.too_flat(points, |_| true, |_| true);
+        let mut bad = self.too_flat(points, |_| true);
         if bad.is_empty() {
             return report;
         }
-        let mut smooth = zeroed(points.len());
-        smooth.copy_from_slice(points);
+        let smooth = points.to_vec();
         let mut shares = vec![0u8; points.len()];
         while !bad.is_empty() {
             let mut moved = vec![false; points.len()];
@@ -124,9 +122,7 @@ impl Guard<'_> {
                     }
                 }
             }
-            let has_moved = |vertices: &[u32]| vertices.iter().any(|&v| moved[v as usize]);
-            let in_parent = |parent| has_moved(&self.parents.nodes(parent));
-            bad = self.too_flat(points, in_parent, |tet| has_moved(tet));
+            bad = self.too_flat(points, |tet| tet.iter().any(|&v| moved[v as usize]));
         }
         self.blend_rows(matrix, &shares);
         report.pulled_back = shares.iter().filter(|&&share| share > 0).count();
@@ -134,12 +130,10 @@ impl Guard<'_> {
         report
     }
 
-    /// The tets below what they must reach, among those asked for, of which the
-    /// parents that `in_parent` leaves out have none.
+    /// The tets below what they must reach, among those asked for.
     fn too_flat(
         &self,
         points: &[[f64; 3]],
-        in_parent: impl Fn(usize) -> bool + Sync,
         asked_for: impl Fn(&[u32; 4]) -> bool + Sync,
     ) -> Vec<u32> {
         let bad = |(parent, children): (usize, &[[u32; 4]; PARTS])| {
@@ -148,7 +142,7 @@ impl Guard<'_> {
                 asked_for(tet) && !Lattice::new(corners(points, *tet)).is_at_least(self.floor)
             };
             let mut bad = [false; PARTS];
-            if in_parent(parent) && children.iter().any(below) {
+            if children.iter().any(below) {
                 let floor = self.floor_within(parent);
                 for (bad, tet) in bad.iter_mut().zip(children) {
                     let is_fine = Lattice::new(corners(points, *tet)).is_at_least(floor);

@@ -25,6 +25,7 @@ pub(super) struct Children {
 impl Children {
     pub fn new(parents: &Parents, edges: &FineEdges, faces: &FineFaces) -> Self {
         let count = PARTS * parents.len();
+        let n = parents.topology.vertex_count() as u32;
         let mut made = Self { tets: zeroed(count), edges: zeroed(count), faces: zeroed(count) };
         let by_parent = families_mut(&mut made.tets).par_iter_mut();
         let by_parent = by_parent
@@ -35,7 +36,8 @@ impl Children {
         by_parent.for_each(|(tet, ((tets, child_edges), child_faces))| {
             let parent = parents.parent(tet);
             let ranks = parent.ranks();
-            look_up(tets, &CHILD_NODES, &parents.nodes(tet));
+            let nodes = nodes(&parent, n);
+            look_up(tets, &CHILD_NODES, &nodes);
             look_up(child_edges, &CHILD_EDGES, &edge_slots(&parent, &ranks, edges));
             look_up(child_faces, &CHILD_FACES, &face_slots(&parent, &ranks, faces));
         });
@@ -56,6 +58,15 @@ fn look_up<const N: usize, const SLOTS: usize>(
             *number = numbers[usize::from(slot)];
         }
     }
+}
+
+fn nodes(parent: &Parent, n: u32) -> [u32; 10] {
+    let mut nodes = [0; 10];
+    nodes[..4].copy_from_slice(parent.vertices);
+    for (node, edge) in nodes[4..].iter_mut().zip(parent.edges) {
+        *node = n + edge;
+    }
+    nodes
 }
 
 fn edge_slots(parent: &Parent, ranks: &Ranks, fine: &FineEdges) -> [u32; EDGE_SLOTS] {

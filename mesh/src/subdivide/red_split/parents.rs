@@ -53,18 +53,6 @@ impl<'a> Parents<'a> {
         self.vertices[tet]
     }
 
-    /// The fine vertices in one tet: its own, then those on its edges.
-    #[inline]
-    pub fn nodes(&self, tet: usize) -> [u32; 10] {
-        let n = self.topology.vertex_count() as u32;
-        let mut nodes = [0; 10];
-        nodes[..4].copy_from_slice(&self.vertices[tet]);
-        for (node, edge) in nodes[4..].iter_mut().zip(self.edges[tet]) {
-            *node = n + edge;
-        }
-        nodes
-    }
-
     #[inline]
     pub(super) fn parent(&self, tet: usize) -> Parent<'_> {
         let (vertices, edges) = (&self.vertices[tet], &self.edges[tet]);

@@ -75,7 +75,7 @@ pub use problem::scalar::{Function, Scalar};
 pub use recovery::forces::Forces;
 pub use recovery::nodal::Recovery;
 pub use recovery::norms::{h1_seminorm_error, l2_error};
-pub use recovery::stress::{strains, stresses, von_mises};
+pub use recovery::stress::{equivalent_stresses, strains, stresses, von_mises};
 pub use reference::difference::Difference;
 pub use rigid_mode::RigidMode;
 pub use transfer::restrict_to_free;

@@ -173,10 +173,10 @@ pub(crate) fn for_springs(
 ) -> Result<(), Error> {
     let points = |triangle: [u32; 3]| triangle.map(|v| mesh.points()[v as usize]);
     for (index, (surface, stiffness)) in problem.springs.iter().enumerate() {
-        check_attached(mesh, topology, *surface)?;
-        check_stiffness(mesh, *surface, stiffness)?;
         match stiffness {
             Stiffness::Axes(axes) => {
+                check_attached(mesh, topology, *surface)?;
+                check_stiffness(mesh, *surface, stiffness)?;
                 for triangle in triangles_of(mesh, *surface) {
                     each(index, triangle, points(triangle), &|p| {
                         std::array::from_fn(|k| (IDENTITY[k], axes[k].at(p)))
@@ -184,7 +184,9 @@ pub(crate) fn for_springs(
                 }
             }
             Stiffness::Normal(normal) => {
-                for triangle in outward_triangles(mesh, topology, *surface)? {
+                let triangles = outward_triangles(mesh, topology, *surface)?;
+                check_stiffness(mesh, *surface, stiffness)?;
+                for triangle in triangles {
                     let size = length(triangle.double_area);
                     let direction = scale(1.0 / size, triangle.double_area);
                     each(index, triangle.vertices, points(triangle.vertices), &|p| {

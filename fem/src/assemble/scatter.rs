@@ -102,10 +102,20 @@ impl<'a, const N: usize> Scatter<'a, N> {
         &self,
         contribution: impl Fn(usize) -> [[f64; K]; N] + Sync,
     ) -> Sums<K> {
+        self.sum_over(|_| true, contribution)
+    }
+
+    /// The same of those elements alone that take part.
+    pub(crate) fn sum_over<const K: usize>(
+        &self,
+        takes_part: impl Fn(usize) -> bool + Sync,
+        contribution: impl Fn(usize) -> [[f64; K]; N] + Sync,
+    ) -> Sums<K> {
         let sums = Sums::zero(self.owners.len());
         let chunks = self.chunks().map(|(chunk, elements)| {
             let mut adding = Adding::new(chunk, &self.owners, &sums);
-            elements.for_each(|k| adding.add(&self.elements[k], &contribution(k)));
+            let those = elements.filter(|&k| takes_part(k));
+            those.for_each(|k| adding.add(&self.elements[k], &contribution(k)));
             adding.foreign
         });
         let foreign = chunks.collect();
@@ -206,6 +216,12 @@ mod tests {
             let third = |k: usize| value(k).map(|v| v.map(|v| v / 3.0));
             let bits = pool.install(|| scatter.sum(third).in_order());
             assert_eq!(bits, Scatter::new(&elements, targets).sum(third).in_order());
+            // Elements that take no part are as if they gave nothing.
+            let some = |k: usize| k % 3 != 1;
+            let nothing_else = |k: usize| if some(k) { third(k) } else { [[0.0; 2]; 3] };
+            let of_some = pool.install(|| scatter.sum_over(some, third).in_order());
+            assert_eq!(of_some, scatter.sum(nothing_else).in_order());
+            assert_ne!(of_some, bits);
             // Beside other targets nothing changes.
             let firsts: Vec<[u32; 1]> = elements.iter().map(|[first, ..]| [*first]).collect();
             let at_firsts = Scatter::new(&firsts, targets);

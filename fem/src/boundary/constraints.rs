@@ -122,6 +122,18 @@ impl ByVertex<'_> {
     pub(crate) fn get(&self, vertex: u32) -> Option<&HeldVertex> {
         self.held.get(self.slots[vertex as usize] as usize)
     }
+
+    /// The place of a vertex in [`Constraints::held`]; none where it is free.
+    #[inline]
+    pub(crate) fn place(&self, vertex: u32) -> Option<usize> {
+        let slot = self.slots[vertex as usize] as usize;
+        (slot < self.held.len()).then_some(slot)
+    }
+
+    /// How many vertices are held.
+    pub(crate) fn count(&self) -> usize {
+        self.held.len()
+    }
 }
 
 /// All conditions, vertex by vertex in ascending order, at each the last listed support

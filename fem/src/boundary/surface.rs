@@ -1,6 +1,7 @@
 //! The triangles of a surface that lie on tets.
 
 use crate::error::Error;
+use octruss_base::chunks::map_ranges;
 use octruss_base::vector3::{cross, dot3, subtract};
 use octruss_mesh::topology::NONE;
 use octruss_mesh::{TetMesh, Topology};
@@ -11,6 +12,9 @@ pub(crate) struct OutwardTriangle {
     /// The outward normal, as long as twice the area.
     pub(crate) double_area: [f64; 3],
 }
+
+/// A triangle, and the tets on it.
+type OnTets = ([u32; 3], [u32; 2]);
 
 /// Checks that a surface id is in use.
 pub(crate) fn check_surface(mesh: &TetMesh, id: i32) -> Result<(), Error> {
@@ -33,11 +37,22 @@ pub(crate) fn check_attached(
     topology: &Topology,
     surface: i32,
 ) -> Result<(), Error> {
+    attached_triangles(mesh, topology, surface).map(drop)
+}
+
+/// The triangles of a surface with the tets on each; errors as [`check_attached`].
+fn attached_triangles(
+    mesh: &TetMesh,
+    topology: &Topology,
+    surface: i32,
+) -> Result<Vec<OnTets>, Error> {
     check_surface(mesh, surface)?;
-    let detached = triangles_of(mesh, surface)
-        .filter(|&triangle| face_tets(topology, triangle)[0] == NONE)
-        .count();
-    if detached == 0 { Ok(()) } else { Err(Error::DetachedSurface { id: surface, detached }) }
+    let triangles: Vec<[u32; 3]> = triangles_of(mesh, surface).collect();
+    let with_tets = |at: usize| (triangles[at], face_tets(topology, triangles[at]));
+    let all = map_ranges(triangles.len(), |range| range.map(with_tets).collect::<Vec<_>>());
+    let all = all.concat();
+    let detached = all.iter().filter(|(_, [first, _])| *first == NONE).count();
+    if detached == 0 { Ok(all) } else { Err(Error::DetachedSurface { id: surface, detached }) }
 }
 
 /// The triangles of a surface of the boundary, turned outward.
@@ -50,14 +65,13 @@ pub(crate) fn outward_triangles(
     topology: &Topology,
     surface: i32,
 ) -> Result<Vec<OutwardTriangle>, Error> {
-    check_attached(mesh, topology, surface)?;
-    let is_inner = |&triangle: &[u32; 3]| face_tets(topology, triangle)[1] != NONE;
-    let inner = triangles_of(mesh, surface).filter(is_inner).count();
+    let triangles = attached_triangles(mesh, topology, surface)?;
+    let inner = triangles.iter().filter(|(_, [_, second])| *second != NONE).count();
     if inner > 0 {
         return Err(Error::InnerSurface { id: surface, inner });
     }
-    let outward = |vertices: [u32; 3]| {
-        let tet = mesh.tets()[face_tets(topology, vertices)[0] as usize];
+    let outward = |(vertices, [tet, _]): OnTets| {
+        let tet = mesh.tets()[tet as usize];
         let [a, b, c] = vertices.map(|v| mesh.points()[v as usize]);
         let normal = cross(subtract(b, a), subtract(c, a));
         let inside = tet.into_iter().find(|v| !vertices.contains(v)).unwrap_or(tet[0]);
@@ -69,7 +83,7 @@ pub(crate) fn outward_triangles(
             OutwardTriangle { vertices, double_area: normal }
         }
     };
-    Ok(triangles_of(mesh, surface).map(outward).collect())
+    Ok(triangles.into_iter().map(outward).collect())
 }
 
 /// The first tet on a triangle; [`NONE`] where there is none.

@@ -2,12 +2,12 @@
 
 use crate::assemble::elasticity_load::{for_springs, spring_force};
 use crate::assemble::inertia_relief::BalancedLoad;
-use crate::assemble::scatter::Scatter;
-use crate::boundary::constraints::Constraints;
+use crate::boundary::constraints::{ByVertex, Constraints};
 use crate::element::p1::{scaled_gradients, triangle_area};
 use crate::error::Error;
 use crate::problem::elasticity::Elasticity;
 use crate::recovery::stress::full;
+use octruss_base::chunks::map_ranges;
 use octruss_base::vector3::{Vector3, add, apply, length, scale, subtract};
 use octruss_mesh::{TetMesh, Topology};
 use octruss_solver::check_size;
@@ -48,7 +48,8 @@ impl Forces {
         check_size("stresses", stresses.len(), mesh.tets().len())?;
         let balanced = BalancedLoad::new(mesh, topology, problem, constraints)?;
         let load = balanced.total();
-        let mut residual = internal_forces(mesh, stresses);
+        let held = constraints.by_vertex();
+        let mut resistance = internal_forces(mesh, &held, stresses);
         let (mut springs, mut sprung) = (vec![[0.0; 3]; problem.springs.len()], 0.0);
         for_springs(mesh, topology, problem, |index, triangle, corners, stiffness| {
             // The same rule as in the matrix: half of what acts at the midpoint of
@@ -61,17 +62,16 @@ impl Forces {
                 let force = spring_force(stiffness(middle), share, moved);
                 springs[index] = add(springs[index], force);
                 sprung += length(force);
-                for vertex in [a, b] {
-                    let at = &mut residual[triangle[vertex] as usize];
+                for place in [a, b].into_iter().filter_map(|end| held.place(triangle[end])) {
+                    let at = &mut resistance[place];
                     *at = subtract(*at, scale(0.5, force));
                 }
             }
         })?;
         let mut supports = vec![[0.0; 3]; problem.supports.len()];
         let mut held_size = 0.0;
-        for held in constraints.held() {
-            let vertex = held.vertex as usize;
-            let rest = subtract(residual[vertex], load[vertex]);
+        for (held, resistance) in constraints.held().iter().zip(resistance) {
+            let rest = subtract(resistance, load[held.vertex as usize]);
             let held_part = subtract(rest, apply(&held.projector, rest));
             held_size += length(held_part);
             for (support, share) in held.shares(held_part) {
@@ -92,15 +92,29 @@ impl Forces {
     }
 }
 
-/// ∫ σ ∇φ at each vertex: the force with which the body resists there.
-fn internal_forces(mesh: &TetMesh, stresses: &[[f64; 6]]) -> Vec<Vector3> {
-    let scatter = Scatter::new(mesh.tets(), mesh.points().len());
-    let sums = scatter.sum(|tet| {
-        let (_, gradients) = scaled_gradients(mesh.corners(tet));
-        let stress = full(&stresses[tet]);
-        gradients.map(|gradient| scale(1.0 / 6.0, apply(&stress, gradient)))
+/// ∫ σ ∇φ at each held vertex: the force with which the body resists there. Only the
+/// tets there are looked at, in their order.
+fn internal_forces(mesh: &TetMesh, held: &ByVertex, stresses: &[[f64; 6]]) -> Vec<Vector3> {
+    let of_tets = map_ranges(mesh.tets().len(), |tets| {
+        let mut forces = Vec::new();
+        for tet in tets {
+            let places = mesh.tets()[tet].map(|vertex| held.place(vertex));
+            if places.iter().all(Option::is_none) {
+                continue;
+            }
+            let (_, gradients) = scaled_gradients(mesh.corners(tet));
+            let stress = full(&stresses[tet]);
+            let force = |gradient| scale(1.0 / 6.0, apply(&stress, gradient));
+            let there = places.into_iter().zip(gradients);
+            forces.extend(there.filter_map(|(place, at)| Some((place?, force(at)))));
+        }
+        forces
     });
-    sums.in_order()
+    let mut sums = vec![[0.0; 3]; held.count()];
+    for (place, force) in of_tets.into_iter().flatten() {
+        sums[place] = add(sums[place], force);
+    }
+    sums
 }
 
 fn sum(forces: &[Vector3]) -> Vector3 {

@@ -2,6 +2,8 @@
 
 use crate::assemble::scatter::Scatter;
 use crate::error::Error;
+use octruss_base::chunks::for_chunks;
+use octruss_base::large_array::filled;
 use octruss_mesh::TetMesh;
 use octruss_solver::check_size;
 
@@ -20,13 +22,18 @@ pub struct Recovery<'a> {
 
 impl<'a> Recovery<'a> {
     /// From the tets of the regions for which `takes_part` says so.
-    pub fn new(mesh: &'a TetMesh, takes_part: impl Fn(i32) -> bool) -> Self {
-        let weight = |(tet, &region): (usize, &i32)| {
-            if takes_part(region) { mesh.volume(tet) } else { 0.0 }
-        };
-        let weights: Vec<f64> = mesh.regions().iter().enumerate().map(weight).collect();
+    pub fn new(mesh: &'a TetMesh, takes_part: impl Fn(i32) -> bool + Sync) -> Self {
+        let mut weights = filled(0.0, mesh.tets().len());
+        for_chunks(&mut weights, |first, chunk| {
+            for (weight, tet) in chunk.iter_mut().zip(first..) {
+                if takes_part(mesh.regions()[tet]) {
+                    *weight = mesh.volume(tet);
+                }
+            }
+        });
         let scatter = Scatter::new(mesh.tets(), mesh.points().len());
-        let totals = scatter.sum(|tet| [[weights[tet]]; 4]).in_order();
+        let totals =
+            scatter.sum_over(|tet| weights[tet] > 0.0, |tet| [[weights[tet]]; 4]).in_order();
         Self { scatter, weights, totals }
     }
 
@@ -37,10 +44,18 @@ impl<'a> Recovery<'a> {
     pub fn at_vertices<const K: usize>(&self, values: &[[f64; K]]) -> Result<Vec<[f64; K]>, Error> {
         check_size("values of tets", values.len(), self.weights.len())?;
         let weighted = |tet: usize| [values[tet].map(|value| self.weights[tet] * value); 4];
-        let mut sums = self.scatter.sum(weighted).in_order();
-        for (sum, [total]) in sums.iter_mut().zip(&self.totals) {
-            *sum = sum.map(|value| if *total > 0.0 { value / total } else { f64::NAN });
-        }
-        Ok(sums)
+        let sums = self.scatter.sum_over(|tet| self.weights[tet] > 0.0, weighted);
+        let mut means = filled([0.0; K], self.totals.len());
+        for_chunks(&mut means, |first, chunk| {
+            for (mean, vertex) in chunk.iter_mut().zip(first..) {
+                let [total] = self.totals[vertex];
+                *mean = if total > 0.0 {
+                    sums.at(vertex as u32).map(|value| value / total)
+                } else {
+                    [f64::NAN; K]
+                };
+            }
+        });
+        Ok(means)
     }
 }

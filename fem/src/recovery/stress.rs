@@ -9,7 +9,8 @@ use crate::assemble::elasticity::lame;
 use crate::element::p1::{centroid, vector_gradient};
 use crate::error::Error;
 use crate::problem::elasticity::Elasticity;
-use octruss_base::chunks::map_ranges;
+use octruss_base::chunks::for_chunks;
+use octruss_base::large_array::filled;
 use octruss_base::vector3::Matrix3;
 use octruss_mesh::TetMesh;
 use octruss_solver::check_size;
@@ -23,7 +24,7 @@ pub(crate) const COMPONENTS: [(usize, usize); 6] = [(0, 0), (1, 1), (2, 2), (0, 
 /// [`octruss_solver::Error::Size`] unless there is one displacement for each vertex.
 pub fn strains(mesh: &TetMesh, displacement: &[[f64; 3]]) -> Result<Vec<[f64; 6]>, Error> {
     check_size("displacements", displacement.len(), mesh.points().len())?;
-    Ok(for_tets(mesh, |tet| {
+    Ok(each(mesh.tets().len(), [0.0; 6], |tet| {
         let values = mesh.tets()[tet].map(|v| displacement[v as usize]);
         let gradient = vector_gradient(mesh.corners(tet), values);
         COMPONENTS.map(|(i, j)| 0.5 * (gradient[i][j] + gradient[j][i]))
@@ -40,7 +41,7 @@ pub fn stresses(
     strains: &[[f64; 6]],
 ) -> Result<Vec<[f64; 6]>, Error> {
     check_size("strains", strains.len(), mesh.tets().len())?;
-    Ok(for_tets(mesh, |tet| {
+    Ok(each(mesh.tets().len(), [0.0; 6], |tet| {
         let material = problem.material.of(mesh.regions()[tet]);
         let [lambda, mu] = lame(material, centroid(mesh.corners(tet)));
         let strain = strains[tet];
@@ -59,6 +60,11 @@ pub fn von_mises(stress: &[f64; 6]) -> f64 {
     (0.5 * normal + 3.0 * (xy * xy + yz * yz + xz * xz)).sqrt()
 }
 
+/// Von Mises' equivalent stress of each of many, as [`von_mises`].
+pub fn equivalent_stresses(stresses: &[[f64; 6]]) -> Vec<f64> {
+    each(stresses.len(), 0.0, |k| von_mises(&stresses[k]))
+}
+
 /// The 3 × 3 matrix of a symmetric tensor.
 #[inline]
 pub(crate) fn full(tensor: &[f64; 6]) -> Matrix3 {
@@ -66,8 +72,13 @@ pub(crate) fn full(tensor: &[f64; 6]) -> Matrix3 {
     [[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]]
 }
 
-fn for_tets(mesh: &TetMesh, value: impl Fn(usize) -> [f64; 6] + Sync) -> Vec<[f64; 6]> {
-    map_ranges(mesh.tets().len(), |tets| tets.map(&value).collect::<Vec<_>>()).concat()
+/// The value at each of `0..count`, from threads that write their parts of one array.
+fn each<T: Copy + Send>(count: usize, zero: T, value: impl Fn(usize) -> T + Sync) -> Vec<T> {
+    let mut all = filled(zero, count);
+    for_chunks(&mut all, |first, chunk| {
+        chunk.iter_mut().enumerate().for_each(|(k, at)| *at = value(first + k));
+    });
+    all
 }
 
 #[cfg(test)]

@@ -14,6 +14,7 @@
 //! constant stays a constant and no value leaves the range of its side.
 
 use std::ops::Range;
+use std::sync::atomic::{AtomicU64, Ordering::Relaxed};
 
 use rayon::prelude::*;
 
@@ -23,6 +24,8 @@ use crate::core::topology::Topology;
 use crate::refinement::ancestry::Ancestor;
 use crate::refinement::carry::{Carried, Overshoot, clamp};
 use crate::refinement::refinement::Refinement;
+use octruss_base::chunks::map_ranges;
+use octruss_base::large_array::filled;
 use octruss_base::ragged::CHUNK;
 
 /// The sides of a mesh's vertices, ordered by vertex, then by region.
@@ -39,15 +42,7 @@ pub struct Sides {
 impl Sides {
     /// Lists the sides of all vertices.
     pub fn new(mesh: &TetMesh) -> Self {
-        let mut first: Vec<Option<i32>> = vec![None; mesh.points().len()];
-        let mut more: Vec<(u32, i32)> = Vec::new();
-        for (tet, &region) in mesh.tets().iter().zip(mesh.regions()) {
-            for &v in tet {
-                if *first[v as usize].get_or_insert(region) != region {
-                    more.push((v, region));
-                }
-            }
-        }
+        let (first, mut more) = Self::some_and_others(mesh);
         // Few are left: vertices of interfaces.
         more.par_sort_unstable();
         more.dedup();
@@ -64,6 +59,34 @@ impl Sides {
             sides.offsets.push(sides.regions.len() as u32);
         }
         sides
+    }
+
+    /// Some region of each vertex, and the others with their vertices, perhaps more
+    /// than once. Which is the one depends on who comes first, all together do not.
+    fn some_and_others(mesh: &TetMesh) -> (Vec<Option<i32>>, Vec<(u32, i32)>) {
+        const FREE: u64 = u64::MAX;
+        let code = |region: i32| u64::from(region.cast_unsigned());
+        let some: Vec<_> = mesh.points().iter().map(|_| AtomicU64::new(FREE)).collect();
+        let others = map_ranges(mesh.tets().len(), |tets| {
+            let mut others = Vec::new();
+            for (tet, &region) in mesh.tets()[tets.clone()].iter().zip(&mesh.regions()[tets]) {
+                for &v in tet {
+                    let slot = &some[v as usize];
+                    // A plain load spares most of the costly exchanges.
+                    let mut found = slot.load(Relaxed);
+                    if found == FREE {
+                        let taken = slot.compare_exchange(FREE, code(region), Relaxed, Relaxed);
+                        found = taken.err().unwrap_or(code(region));
+                    }
+                    if found != code(region) {
+                        others.push((v, region));
+                    }
+                }
+            }
+            others
+        });
+        let region = |code: AtomicU64| u32::try_from(code.into_inner()).ok().map(u32::cast_signed);
+        (some.into_iter().map(region).collect(), others.concat())
     }
 
     /// How many sides there are.
@@ -171,7 +194,7 @@ impl Sides {
         overshoot: Overshoot,
     ) -> Carried {
         assert_eq!(values.len(), components * self.len(), "one tuple a coarse side");
-        let mut carried = vec![0.0; components * fine.len()];
+        let mut carried = filled(0.0, components * fine.len());
         if components == 0 {
             return Carried { values: carried, clamped: 0 };
         }

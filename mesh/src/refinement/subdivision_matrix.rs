@@ -125,7 +125,7 @@ impl SubdivisionMatrix {
     /// If `coarse` does not have `components` values for each column.
     pub fn apply_field(&self, coarse: &[f64], components: usize) -> Vec<f64> {
         assert_eq!(coarse.len(), components * self.coarse_vertices, "one tuple a coarse vertex");
-        let mut fine = vec![0.0; components * self.rows()];
+        let mut fine = filled(0.0, components * self.rows());
         if components == 0 {
             return fine;
         }

@@ -67,7 +67,10 @@ pub fn subdivide(
         };
         guard.apply(&mut matrix, &mut points)
     });
-    refuse_inverted(&points, &split.tets, level)?;
+    // A guard that pulled nothing back has seen that all volumes are positive.
+    if guard.is_none_or(|guard| guard.pulled_back > 0) {
+        refuse_inverted(&points, &split.tets, level)?;
+    }
     let fine = RawMesh {
         points,
         regions: ancestry.tets.inherit(&coarse.regions, 1),

@@ -2,6 +2,7 @@
 
 use std::collections::BTreeMap;
 
+use octruss_base::chunks::map_ranges;
 use octruss_meshio::Field;
 use serde::{Deserialize, Serialize};
 
@@ -64,12 +65,17 @@ impl CarriedFields {
 impl FieldFigures {
     fn of(field: &Field) -> Self {
         let values = floats(field);
-        let numbers = values.iter().copied().filter(|value| value.is_finite());
+        let parts = map_ranges(values.len(), |range| {
+            let values = &values[range];
+            let numbers = values.iter().copied().filter(|value| value.is_finite());
+            let not_numbers = values.iter().filter(|value| value.is_nan()).count();
+            (numbers.clone().reduce(f64::min), numbers.reduce(f64::max), not_numbers)
+        });
         Self {
             components: field.components,
-            minimum: numbers.clone().reduce(f64::min),
-            maximum: numbers.reduce(f64::max),
-            not_numbers: values.iter().filter(|value| value.is_nan()).count(),
+            minimum: parts.iter().filter_map(|part| part.0).reduce(f64::min),
+            maximum: parts.iter().filter_map(|part| part.1).reduce(f64::max),
+            not_numbers: parts.iter().map(|part| part.2).sum(),
             largest_jump: None,
         }
     }

@@ -2,7 +2,7 @@
 
 use octruss_fem::Error;
 use octruss_fem::{
-    Constraints, Elasticity, Forces, Recovery, Solution, strains, stresses, von_mises,
+    Constraints, Elasticity, Forces, Recovery, Solution, equivalent_stresses, strains, stresses,
 };
 use octruss_mesh::{Level, RawMesh};
 use octruss_meshio::{Field, Values};
@@ -26,13 +26,13 @@ impl Body<'_> {
     /// vertices of no tet.
     pub(super) fn describe(
         &self,
-        solution: &Solution<[[f64; 3]; 3]>,
+        solution: Solution<[[f64; 3]; 3]>,
     ) -> Result<(BodyFigures, Vec<Field>, Vec<Field>), Error> {
         let Level { mesh, topology, .. } = self.finest;
         let displacement = &solution.values;
         let strain = strains(mesh, solution.differences())?;
         let stress = stresses(mesh, self.problem, &strain)?;
-        let equivalent: Vec<f64> = stress.iter().map(von_mises).collect();
+        let equivalent = equivalent_stresses(&stress);
         let constraints = self.constraints;
         let forces =
             Forces::new((mesh, topology), self.problem, constraints, displacement, &stress)?;
@@ -40,26 +40,26 @@ impl Body<'_> {
             greatest_von_mises: equivalent.iter().copied().fold(0.0, f64::max),
             forces: self.force_figures(&forces),
         };
-        let mut point_fields = vec![field("displacement", displacement)];
+        let mut point_fields = vec![field("displacement", solution.values)];
         for (suffix, regions) in self.sides(mesh.raw()) {
-            let recovery = Recovery::new(mesh, |id| regions.contains(&id));
+            let recovery = Recovery::new(mesh, |id| regions.binary_search(&id).is_ok());
             let strain = recovery.at_vertices(&strain)?;
             let stress = recovery.at_vertices(&stress)?;
-            let equivalent = stress.iter().map(von_mises).collect();
-            point_fields.push(field(&format!("strain{suffix}"), &strain));
-            point_fields.push(field(&format!("stress{suffix}"), &stress));
+            let equivalent = equivalent_stresses(&stress);
+            point_fields.push(field(&format!("strain{suffix}"), strain));
+            point_fields.push(field(&format!("stress{suffix}"), stress));
             point_fields.push(Field::scalar(format!("von-mises{suffix}"), equivalent));
         }
         let cell_fields = vec![
-            field("strain", &strain),
-            field("stress", &stress),
+            field("strain", strain),
+            field("stress", stress),
             Field::scalar("von-mises", equivalent),
         ];
         Ok((figures, point_fields, cell_fields))
     }
 
-    /// The regions that share a material, over whose borders nothing jumps, and
-    /// how fields recovered in them are called: plainly if they are all.
+    /// The regions that share a material, over whose borders nothing jumps, each
+    /// list ascending, and how fields recovered in them are called: plainly if they are all.
     fn sides(&self, mesh: &RawMesh) -> Vec<(String, Vec<i32>)> {
         let material = |id: i32| self.problem.material.of(id);
         let mut sides: Vec<Vec<i32>> = Vec::new();
@@ -115,7 +115,6 @@ fn by_name<'a>(
     all
 }
 
-fn field<const K: usize>(name: &str, tuples: &[[f64; K]]) -> Field {
-    let values = Values::Float(tuples.as_flattened().to_vec());
-    Field::new(name, K, values)
+fn field<const K: usize>(name: &str, tuples: Vec<[f64; K]>) -> Field {
+    Field::new(name, K, Values::Float(tuples.into_flattened()))
 }

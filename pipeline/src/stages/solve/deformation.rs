@@ -36,7 +36,7 @@ pub(super) fn solve(
     let is_free = discrete.free.is_some();
     let body = Body { keys, finest, problem: &problem, constraints, is_free };
     let (figures, point_fields, cell_fields) =
-        body.describe(&solution).map_err(|source| context.solver("stresses and forces", source))?;
+        body.describe(solution).map_err(|source| context.solver("stresses and forces", source))?;
     let (free_parts, mut more) = free_parts(&discrete);
     more.extend(imbalance_note(figures.forces.imbalance));
     context.remark(&more);

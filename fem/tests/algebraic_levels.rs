@@ -165,3 +165,28 @@ fn an_updated_multigrid_makes_its_algebraic_levels_anew() {
     let made = |discretised: &Discretisation| discretised.solver(&options).unwrap().multigrid;
     assert_eq!(applied(made(&soft).updated(&hard.matrix).unwrap()), applied(made(&hard)));
 }
+
+#[test]
+fn a_coarsest_mesh_without_unknowns_is_passed_over() {
+    let body = hierarchy(kuhn_box([1, 1, 1], [1.0; 3]), 2);
+    let problem = Elasticity {
+        supports: vec![clamp(1), clamp(2)],
+        body_force: vector([0.0, 0.0, -1.0]).into(),
+        ..Elasticity::new(Material::new(1.0, 0.3))
+    };
+    let (solution, [given, _]) = solved(&body, &problem);
+    assert_eq!(given, 2);
+    assert!(solution.report.iterations > 0);
+}
+
+#[test]
+fn full_multigrid_finds_a_good_start_above_algebraic_levels() {
+    let body = hierarchy(uneven_box([16; 3], [1.0; 3]), 1);
+    let problem = cantilever(Material::new(1.0, 0.3).into());
+    let solved = |cycle| {
+        let options = Options { cycle, ..Options::default() };
+        Discretisation::new(&body, &problem, &options).unwrap().solve(&options).unwrap()
+    };
+    let [plain, full] = [None, Some(Cycle::Full)].map(solved);
+    assert!(full.report.iterations + 2 <= plain.report.iterations);
+}

@@ -68,10 +68,10 @@ pub enum Error {
         /// The first row at fault.
         row: u32,
     },
-    /// The coarsest level is too large for a direct solver.
+    /// The coarsest level is too large for a direct solver, and levels below it hardly shrink.
     #[error(
-        "the coarsest level has {unknowns} unknowns, a direct solver should get at most {limit}; \
-         begin with a coarser mesh"
+        "the coarsest level has {unknowns} unknowns, a direct solver should get at most {limit}, \
+         and its rows are coupled too weakly for smaller levels; refine a coarser mesh instead"
     )]
     CoarsestTooLarge {
         /// Unknowns on the coarsest level.
@@ -87,9 +87,9 @@ pub enum Error {
     CoarsestSingular {
         /// Unknowns on the coarsest level.
         unknowns: usize,
-        /// What Cholesky said, or the relative residual of its test.
+        /// What Cholesky said, or how its factor failed the test.
         cholesky: String,
-        /// What LU said, or the relative residual of its test.
+        /// What LU said, or how its factor failed the test.
         lu: String,
         /// A vector that the matrix sends to zero but for rounding, brought to the finest
         /// level: a number, or three, for each of its rows. Empty if none was found.

@@ -53,9 +53,9 @@ impl SolveReport {
     pub fn follow(&mut self, earlier: &Self) {
         self.iterations += earlier.iterations;
         self.solve_seconds += earlier.solve_seconds;
-        self.residual_history.splice(0..0, earlier.residual_history.iter().copied());
-        // The start of this one is the end of the other.
-        self.residual_history.remove(earlier.residual_history.len());
+        // Where this one starts is where the other ended.
+        let own = self.residual_history.iter().skip(1);
+        self.residual_history = earlier.residual_history.iter().chain(own).copied().collect();
     }
 }
 
@@ -80,8 +80,7 @@ impl Unfinished {
         let smallest = |part: &[f64]| part.iter().copied().fold(f64::INFINITY, f64::min);
         let Some(before) = history.len().checked_sub(last) else { return false };
         let [before, after] = [&history[..before], &history[before..]].map(smallest);
-        // Written so that NaN counts.
-        !(after < 0.5 * before)
+        after >= 0.5 * before
     }
 }
 

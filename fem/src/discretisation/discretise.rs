@@ -56,6 +56,9 @@ pub struct Discretisation<'h, E: Unknown = f64> {
     pub coarse_matrices: Vec<Csr<E>>,
     /// The time that assembling them took.
     pub reassembly_seconds: f64,
+    /// What the levels below the coarsest mesh with unknowns carry: what has no energy where
+    /// nothing is held.
+    pub near_null_space: NearNullSpace,
     /// What prolongs where options leave it open.
     pub usual_prolongation: Prolongations,
     /// The solution of the coarsest level's own problem, where full multigrid needs
@@ -90,13 +93,19 @@ impl<'h, E: Unknown> Discretisation<'h, E> {
         let Assembled { matrix, rhs, constraints, difference, free } = problem.assemble(finest)?;
         levels.push(E::level(&constraints));
         let missing_load = is_without_load(&rhs, &levels).then(|| problem.missing_load());
+        // Levels without unknowns do not count.
+        let without = levels.iter().rposition(|level| level.dofs.unknowns() == 0);
+        let coarsest = without.map_or(0, |last| (last + 1).min(coarser.len()));
+        let below = near_null_space(problem, &hierarchy.levels()[coarsest], &levels[coarsest]);
         // Assembled anew even where its matrix is at hand: only here is its load wanted.
         let lifts =
             options.cycle() == Cycle::Full && !levels.iter().all(LevelUnknowns::is_homogeneous);
         let coarsest = lifts
             .then(|| {
                 let coarsest = hierarchy.coarsest();
-                solve_coarsest(problem.assemble(coarsest)?, (coarsest, &levels[0]), options)
+                let below = near_null_space(problem, coarsest, &levels[0]);
+                let projectors = levels[0].projectors.clone();
+                solve_coarsest(problem.assemble(coarsest)?, (projectors, below), options)
             })
             .transpose()?;
         let reassembly_seconds = seconds;
@@ -110,6 +119,7 @@ impl<'h, E: Unknown> Discretisation<'h, E> {
             levels,
             coarse_matrices,
             reassembly_seconds,
+            near_null_space: below,
             usual_prolongation: problem.usual_prolongation(hierarchy),
             coarsest,
             missing_load,
@@ -138,12 +148,6 @@ impl<'h, E: Unknown> Discretisation<'h, E> {
         E::SIZE * self.finest().dofs.unknowns()
     }
 
-    /// What the levels below the coarsest mesh carry: motions of its vertices that have no
-    /// energy where nothing is held.
-    pub fn near_null_space(&self) -> NearNullSpace {
-        near_null_space(self.hierarchy.coarsest(), &self.levels[0])
-    }
-
     /// A value for each vertex of the finest level from the unknowns.
     ///
     /// # Errors
@@ -166,18 +170,22 @@ fn is_without_load<E: Unknown>(rhs: &[E::Nodal], levels: &[LevelUnknowns<E>]) ->
     !(acts || is_prescribed || rhs.is_empty())
 }
 
-fn near_null_space<E: Unknown>(level: &Level, unknowns: &LevelUnknowns<E>) -> NearNullSpace {
+fn near_null_space<P: Problem>(
+    problem: &P,
+    level: &Level,
+    unknowns: &LevelUnknowns<P::Entry>,
+) -> NearNullSpace {
     let position = |&vertex: &u32| level.mesh.points()[vertex as usize];
-    E::near_null_space(unknowns.dofs.free().iter().map(position).collect())
+    problem.near_null_space(unknowns.dofs.free().iter().map(position).collect())
 }
 
 /// The solution on the coarsest mesh.
 fn solve_coarsest<E: Unknown>(
     system: Assembled<E>,
-    (level, unknowns): (&Level, &LevelUnknowns<E>),
+    (projectors, below): (Vec<(u32, E)>, NearNullSpace),
     options: &Options,
 ) -> Result<Vec<E::Nodal>, Error> {
-    let (projectors, below) = (vec![unknowns.projectors.clone()], near_null_space(level, unknowns));
+    let projectors = vec![projectors];
     let cycle = options.multigrid();
     let regularised = system.regularised();
     let mut multigrid =

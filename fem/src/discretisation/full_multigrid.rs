@@ -51,7 +51,10 @@ pub(crate) fn full_pass<E: Unknown>(
         .map(|(matrix, pair)| restrict_to_free(matrix, &pair[1].dofs, &pair[0].dofs))
         .collect::<Result<Vec<_>, _>>()?;
     let Some(coarsest) = coarsest else {
-        return Ok(multigrid.full_multigrid(rhs, &transfers, 1)?);
+        let mut x = multigrid.full_multigrid(rhs, &transfers, 1)?;
+        // A rigid motion has no energy, but digits of the residual would go with it.
+        discretisation.free.iter().for_each(|free| free.null_space.project(&mut x));
+        return Ok(x);
     };
     let mut lift = smooth_lift(coarsest, &matrices, levels)?;
     if let Some(difference) = &discretisation.difference {

@@ -15,7 +15,7 @@ use crate::problem::poisson::Poisson;
 use crate::problem::scalar::Scalar;
 use crate::reference::difference::Difference;
 use octruss_mesh::{Hierarchy, Level, Scheme};
-use octruss_solver::Csr;
+use octruss_solver::{Csr, NearNullSpace};
 use std::borrow::Cow;
 
 /// An equation with its data, on any level of a hierarchy.
@@ -31,6 +31,12 @@ pub trait Problem {
 
     /// The prolongation that solves it in the least time, as docs/prolongation.md measures.
     fn usual_prolongation(&self, hierarchy: &Hierarchy) -> Prolongations;
+
+    /// What has no energy on unconstrained vertices at these positions, for the levels below
+    /// the coarsest mesh.
+    fn near_null_space(&self, positions: Vec<[f64; 3]>) -> NearNullSpace {
+        Self::Entry::near_null_space(positions)
+    }
 
     /// Matrix and right-hand side on a level.
     ///
@@ -118,6 +124,11 @@ impl Problem for Biharmonic {
 
     fn constraints(&self, level: &Level) -> Result<Dofs, Error> {
         Dofs::new(&level.mesh, &self.fixed)
+    }
+
+    /// All harmonic functions have no energy inside: too many for aggregates.
+    fn near_null_space(&self, _: Vec<[f64; 3]>) -> NearNullSpace {
+        NearNullSpace::Unknown
     }
 
     /// Box splines: linear interpolation loses ground with every level.

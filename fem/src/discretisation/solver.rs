@@ -46,7 +46,7 @@ impl<E: Unknown> Solver<'_, E> {
     ///
     /// Where the iteration stands still although its precision was left open, single
     /// precision inside the cycle is to blame more often than not: then the multigrid is set
-    /// up again in double, and the iteration goes on.
+    /// up again in double, and the iteration goes on, with as many iterations again.
     ///
     /// # Errors
     /// [`Error::NoLoad`] if nothing acts; as [`conjugate_gradients`], in [`Error::Solver`]:
@@ -127,8 +127,12 @@ impl<E: Unknown> Solver<'_, E> {
         *self = self.discretisation.solver(&options)?;
         self.setup_seconds += seconds;
         let mut solved = self.iterate(Some(&earlier.iterate), progress);
-        if let Ok((_, report)) = &mut solved {
-            report.follow(&earlier.report);
+        match &mut solved {
+            Ok((_, report)) => report.follow(&earlier.report),
+            Err(error) => {
+                let later = error.unfinished_mut().map(|at| &mut at.report);
+                later.into_iter().for_each(|report| report.follow(&earlier.report));
+            }
         }
         Ok(solved)
     }
@@ -156,7 +160,7 @@ impl<E: Unknown> Discretisation<'_, E> {
             &matrix,
             transfers,
             projectors,
-            self.near_null_space(),
+            self.near_null_space.clone(),
             &cycle,
         )
         .map_err(|error| self.told_of_the_mesh(error))?;

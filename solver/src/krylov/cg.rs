@@ -93,10 +93,16 @@ pub fn conjugate_gradients<E: Entry<Real = f64>>(
             }
             last_true_norm = true_norm;
             previous_rz = f64::INFINITY;
+            run.restart(true_norm);
         }
         if wish.is_break() {
             return Err(Error::Stopped(run.unfinished(x)));
         }
+    }
+    // Far from the solution as steps tell, but with the residual that was asked for.
+    matrix.residual(&x, rhs, &mut r);
+    if run.is_small(norm(&r)) {
+        return Ok(run.finish(x, Ended::Residual));
     }
     Err(Error::NotConverged(run.unfinished(x)))
 }

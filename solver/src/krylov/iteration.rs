@@ -160,11 +160,24 @@ impl<'a, E: Entry<Real = f64>> Iteration<'a, E> {
         residual_norm: f64,
     ) -> bool {
         match &self.row_sizes {
+            _ if residual_norm == 0.0 => true,
             Some(sizes) if self.looks > 1 => largest_share(r, sizes) <= f64::EPSILON,
             _ => {
-                let is_near = |error| error <= NEAR * self.options.tolerance;
-                self.is_small(residual_norm) && self.energy_error(x).is_none_or(is_near)
+                // Beyond rounding nothing can be asked for.
+                let tolerance = self.options.tolerance.max(f64::EPSILON);
+                let is_near = |error| error <= NEAR * tolerance;
+                let is_small = residual_norm <= tolerance * self.rhs_norm;
+                is_small && self.energy_error(x).is_none_or(is_near)
             }
+        }
+    }
+
+    /// Notes that the iteration begins anew, from a residual of this norm.
+    pub(crate) fn restart(&mut self, residual_norm: f64) {
+        self.step_energies.clear();
+        let scale = self.scale();
+        if let Some(last) = self.history.last_mut() {
+            *last = residual_norm / scale;
         }
     }
 
@@ -222,11 +235,13 @@ impl<'a, E: Entry<Real = f64>> Iteration<'a, E> {
     fn report(self, x: &[E::Nodal]) -> SolveReport {
         let mut r = vec![E::Nodal::default(); x.len()];
         self.matrix.residual(x, self.rhs, &mut r);
+        // Looked at before is not this iterate for sure.
+        let sizes = self.backward_error.and_then(|_| self.matrix.row_sizes(x, self.rhs));
         SolveReport {
             iterations: self.history.len() - 1,
             relative_residual: norm(&r) / self.scale(),
             ended: Ended::default(),
-            backward_error: self.backward_error,
+            backward_error: sizes.map(|sizes| largest_share(&r, &sizes)),
             energy_error: self.energy_error(x),
             residual_history: self.history,
             setup_seconds: self.setup_seconds,

@@ -131,11 +131,11 @@ impl<E: Entry> Operator<E> for Csr<E> {
         kernels::chebyshev_step(self, step);
     }
 
-    /// max Σ_j ‖D_i⁻¹ A_ij‖ in the maximum norm.
     fn row_sizes(&self, x: &[E::Nodal], b: &[E::Nodal]) -> Option<Vec<E::Nodal>> {
         Some(row_sizes(self, x, b))
     }
 
+    /// max Σ_j ‖D_i⁻¹ A_ij‖ in the maximum norm.
     fn bound(&self, inverse_diagonal: &[E]) -> Option<f64> {
         let row = |i: usize| {
             self.row(i).1.iter().map(|v| inverse_diagonal[i].times(*v).norm()).sum::<f64>()

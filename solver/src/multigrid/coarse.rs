@@ -15,7 +15,7 @@ use crate::error::Error;
 use crate::krylov::operator::Operator;
 use crate::sparse::backward_error::backward_error;
 use crate::sparse::csr::Csr;
-use crate::sparse::dot::norm;
+use crate::sparse::dot::{largest, norm};
 use crate::sparse::kernels::residual;
 use crate::sparse::noise::noise;
 use faer::dyn_stack::{MemBuffer, MemStack, StackReq};
@@ -129,7 +129,11 @@ impl CoarseSolver {
                 unknowns,
                 cholesky: cholesky.reason,
                 lu: lu.reason,
-                null_vector: lu.null_vector,
+                null_vector: if lu.null_vector.is_empty() {
+                    cholesky.null_vector
+                } else {
+                    lu.null_vector
+                },
             },
         )
     }
@@ -150,7 +154,7 @@ impl CoarseSolver {
         let (smallest, null_vector) = solver.smallest_eigenvalue();
         if smallest < SINGULAR || smallest.is_nan() {
             let reason = format!("smallest eigenvalue {smallest:.1e} of its diagonal");
-            return Err(Untrusted { reason, null_vector });
+            return Err(Untrusted { reason, null_vector: scaled_to_one(null_vector) });
         }
         Ok(solver)
     }
@@ -218,6 +222,16 @@ impl CoarseSolver {
             }
         }
     }
+}
+
+/// With largest entry 1; nothing of a vector that is not finite.
+fn scaled_to_one(mut v: Vec<f64>) -> Vec<f64> {
+    let largest = largest(&v);
+    if !(largest > 0.0 && largest.is_finite() && v.iter().all(|v| v.is_finite())) {
+        return Vec::new();
+    }
+    v.iter_mut().for_each(|v| *v /= largest);
+    v
 }
 
 /// A factor and the workspace that solving with it needs, or what went wrong.

@@ -22,6 +22,10 @@ pub(crate) struct Cycle<E: Entry> {
     x: Vec<E::Nodal>,
 }
 
+/// So many cycles solve on the coarsest given level for what full multigrid needs, where
+/// levels below it are algebraic.
+const CYCLES_ON_THE_COARSEST: usize = 10;
+
 /// The direct solver with its right-hand side and solution in double precision.
 pub(crate) struct Coarsest {
     solver: CoarseSolver,
@@ -60,25 +64,30 @@ impl<E: Entry> Cycle<E> {
         });
     }
 
-    /// z = full multigrid for A z = r: the coarsest level solved, then on each finer
-    /// one its solution, brought there by a matrix of `transfers` (finest first) or
-    /// by the prolongation, improved by `cycles` cycles.
+    /// z = full multigrid for A z = r: the coarsest of `given` levels below the finest solved
+    /// (by cycles, where others lie below it), then on each finer one its solution, brought
+    /// there by a matrix of `transfers` (finest first) or by the prolongation, improved by
+    /// `cycles` cycles.
     pub(crate) fn full(
         &mut self,
         r: &[f64],
-        transfers: &[&Csr<f64>],
+        (transfers, given): (&[&Csr<f64>], usize),
         cycles: usize,
         z: &mut [f64],
     ) {
         self.scaled(r, z, |cycle| {
             let mut sides = vec![cycle.rhs.clone()];
-            for level in &cycle.levels {
+            for level in &cycle.levels[..given] {
                 sides.push(level.restrict(&sides[sides.len() - 1]));
             }
-            let coarsest = sides.len() - 1;
-            let mut x = vec![E::Nodal::default(); sides[coarsest].len()];
-            cycle.coarsest.solve(Nodal::flat(&sides[coarsest]), Nodal::flat_mut(&mut x));
-            for k in (0..coarsest).rev() {
+            let mut x = vec![E::Nodal::default(); sides[given].len()];
+            let below = &mut cycle.levels[given..];
+            let solves = if below.is_empty() { 1 } else { CYCLES_ON_THE_COARSEST };
+            for first in std::iter::once(true).chain(std::iter::repeat(false)).take(solves) {
+                let system = (&*sides[given], &mut x);
+                descend(cycle.shape, &mut *below, &mut cycle.coarsest, system, first);
+            }
+            for k in (0..given).rev() {
                 x = cycle.levels[k].transfer(transfers.get(k).copied(), &x);
                 for _ in 0..cycles {
                     let levels = &mut cycle.levels[k..];

@@ -76,7 +76,8 @@ impl<'m, E: Entry<Real = f64>, F: Entry> Descent<'m, E, F> {
         coarser_origin: LevelOrigin,
     ) -> Result<(), Error> {
         self.below = self.below.saturating_sub(1);
-        let diagonal = std::mem::replace(&mut self.diagonal, Diagonal::new(&coarser, self.below)?);
+        let coarse_diagonal = Diagonal::new(&coarser, self.below)?;
+        let diagonal = std::mem::replace(&mut self.diagonal, coarse_diagonal);
         let scaled = (&*self.current, diagonal, self.scale);
         let level = Level::<F>::new(scaled, kept, both, self.options);
         self.summaries.push(LevelSummary {
@@ -112,13 +113,23 @@ impl<'m, E: Entry<Real = f64>, F: Entry> Descent<'m, E, F> {
             };
             let Coarsened { prolongation, projectors: coarse } = made;
             let coarser = galerkin_of_entries(&self.current, &prolongation, &coarse);
+            // What is left of a stiff part's rigid motions may be rounding: the direct solver
+            // then says which.
+            if Diagonal::new(&coarser, 0).is_err() {
+                return Ok(None);
+            }
             let mut kept = Kept::new(Weights::Entries(prolongation.cast()));
-            // Aggregates are numbered as they lie.
+            // Rows are numbered as they lie, aggregates by their first vertices.
             let domains = Domains::new(self.current.rows(), |row| Some(vec![row as u32]));
             kept.grouping = Some(Grouping::Domains(domains));
             self.step(kept, coarser, [fine, &coarse], LevelOrigin::Algebraic)?;
             made_here = Some(coarse);
         }
+    }
+
+    /// Lets a direct solution count as cheap wherever it is possible.
+    pub(crate) fn afford_any_factor(&mut self) {
+        self.affordable = usize::MAX;
     }
 
     /// That of the current matrix, if a direct solution is cheap.

@@ -133,6 +133,9 @@ impl<E: Entry<Real = f64>> Levels<E> {
             kept.grouping = kept.grouping.or_else(|| groupings.next());
             descent.step(kept, coarser, both, LevelOrigin::Given)?;
         }
+        if below == NearNullSpace::Unknown {
+            descent.afford_any_factor();
+        }
         let coarsest = &projectors[projectors.len() - 1];
         let candidates = Candidates::new(&below, descent.current.rows(), coarsest)?;
         let elimination = match elimination {
@@ -161,7 +164,8 @@ impl<E: Entry<Real = f64>> Levels<E> {
         cycles: usize,
         z: &mut [f64],
     ) {
-        with_cycle!(&mut self.cycle, cycle => cycle.full(r, transfers, cycles, z));
+        let given = self.given();
+        with_cycle!(&mut self.cycle, cycle => cycle.full(r, (transfers, given), cycles, z));
     }
 
     /// Bytes and seconds of each kernel.

@@ -41,8 +41,8 @@ impl<E: SystemEntry> Multigrid<E> {
     /// [`Error::Size`] if a prolongation does not fit the level above it,
     /// [`Error::NotFinite`] or [`Error::Diagonal`] for a senseless matrix,
     /// [`Error::CoarsestSingular`] for a coarsest level that cannot be solved directly,
-    /// [`Error::CoarsestTooLarge`] if the matrix hardly couples its rows, so that no level
-    /// gets small enough, [`Error::Option`].
+    /// [`Error::CoarsestTooLarge`] if aggregates stay so small that no level gets small
+    /// enough, [`Error::Option`].
     pub fn new(
         matrix: &Csr<E>,
         prolongations: Vec<Csr<f64>>,
@@ -120,8 +120,8 @@ impl<E: SystemEntry> Multigrid<E> {
         Ok(Self::of(levels, options, start))
     }
 
-    /// Full multigrid for A x = `rhs`: the coarsest level is solved; on each finer
-    /// one, `cycles` cycles improve the solution of the coarser.
+    /// Full multigrid for A x = `rhs`: the coarsest given level is solved, directly or by ten
+    /// cycles over the algebraic levels below it; on each finer one, `cycles` cycles improve the solution of the coarser.
     ///
     /// `transfers` bring solutions (not corrections) to the finer level, **coarsest
     /// first**, one for each prolongation; without any the prolongations do. Right-hand

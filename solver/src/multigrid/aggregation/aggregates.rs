@@ -1,5 +1,6 @@
 //! Aggregates: nodes in groups of a node and its strong neighbours.
 
+use crate::multigrid::aggregation::nodes::Nodes;
 use crate::multigrid::aggregation::strength::StrongNeighbours;
 use octruss_base::groups::Groups;
 
@@ -15,14 +16,15 @@ impl Aggregates {
     /// Greedy, in the order of nodes, so the same for any number of threads: first every
     /// node none of whose neighbours is taken, with all of them; then the others join the
     /// aggregate of most of their neighbours, the first of equals; what has none is
-    /// grouped among itself. A node without strong neighbours stays out: smoothing alone
-    /// solves for it.
-    pub(crate) fn greedy(strong: &StrongNeighbours) -> Self {
+    /// grouped among itself. A node of one row without strong neighbours stays out, since
+    /// smoothing alone solves for it; one of several is an aggregate of its own.
+    pub(crate) fn greedy(strong: &StrongNeighbours, nodes: &Nodes) -> Self {
         let mut made = Self { of_node: vec![NONE; strong.nodes()], count: 0 };
         for node in 0..strong.nodes() {
             let is_free = |other: &u32| made.of_node[*other as usize] == NONE;
             let neighbours = strong.of(node);
-            if !neighbours.is_empty() && is_free(&(node as u32)) && neighbours.iter().all(is_free) {
+            let counts = !neighbours.is_empty() || nodes.rows(node).len() > 1;
+            if counts && is_free(&(node as u32)) && neighbours.iter().all(is_free) {
                 made.group(node, neighbours);
             }
         }

@@ -25,7 +25,9 @@ impl<E: Entry<Real = f64>> Candidates<E> {
         projectors: &Projectors<E>,
     ) -> Result<Self, Error> {
         let mut all = match space {
-            NearNullSpace::Constants => Self { columns: 1, values: vec![E::identity(); rows] },
+            NearNullSpace::Constants | NearNullSpace::Unknown => {
+                Self { columns: 1, values: vec![E::identity(); rows] }
+            }
             NearNullSpace::RigidMotions(positions) => {
                 if E::SIZE != 3 {
                     let expected = "constants for a matrix of numbers";

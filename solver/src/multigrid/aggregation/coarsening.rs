@@ -45,7 +45,7 @@ impl<E: Entry<Real = f64>> Coarsening<E> {
         fine: &Projectors<E>,
     ) -> Option<Coarsened<E>> {
         let strong = StrongNeighbours::new(matrix, &self.nodes, self.threshold);
-        let aggregates = Aggregates::greedy(&strong);
+        let aggregates = Aggregates::greedy(&strong, &self.nodes);
         let made = Tentative::new(&aggregates, &self.nodes, &self.candidates);
         let Tentative { prolongation, nodes, candidates, projectors } = made;
         if prolongation.columns() as f64 > STALLED * prolongation.rows() as f64 {

@@ -6,6 +6,9 @@
 pub enum NearNullSpace {
     /// Constants, in each component for itself.
     Constants,
+    /// Nothing is known: the coarsest given level is solved directly as long as that can be
+    /// done at all; where it is larger, levels below it carry constants.
+    Unknown,
     /// Displacements without deformation of vertices at these positions, one for each row
     /// of the coarsest given level: three translations, three rotations. Only for a matrix
     /// of blocks.

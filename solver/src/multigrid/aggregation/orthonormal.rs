@@ -1,7 +1,7 @@
 //! An orthonormal basis of a few vectors, as on one aggregate.
 
-/// What is left of a vector beside this share of it, after those before it are taken out,
-/// is rounding.
+/// What is left of a vector beside this share of the largest, after those before it are taken
+/// out, is rounding.
 const DEPENDENT: f64 = 1e-8;
 
 /// A few vectors, the columns of B, as Q R: the columns of Q orthonormal, as many as B has
@@ -20,6 +20,8 @@ impl Orthonormal {
     /// of those before it twice, which is enough (Kahan and Parlett).
     pub(crate) fn new(b: &[f64], columns: usize) -> Self {
         let rows = b.len() / columns;
+        debug_assert!(rows > 0, "an aggregate has a row");
+        let largest = b.chunks_exact(rows).map(|v| dot(v, v).sqrt()).fold(0.0, f64::max);
         let (mut q, mut r): (Vec<f64>, Vec<f64>) = (Vec::new(), Vec::new());
         for (column, vector) in b.chunks_exact(rows).enumerate() {
             let mut rest = vector.to_vec();
@@ -30,8 +32,8 @@ impl Orthonormal {
                     r[rank * columns + column] += share;
                 }
             }
-            let (size, whole) = (dot(&rest, &rest).sqrt(), dot(vector, vector).sqrt());
-            if size > DEPENDENT * whole {
+            let size = dot(&rest, &rest).sqrt();
+            if size > DEPENDENT * largest {
                 q.extend(rest.iter().map(|v| v / size));
                 r.resize(r.len() + columns, 0.0);
                 let last = r.len() - columns + column;

@@ -107,6 +107,29 @@ fn patches_of_a_cylinder_are_shaped_as_one_surface() {
 }
 
 #[test]
+fn a_ring_round_a_cylinder_costs_nothing() {
+    // Facets above the ring continue those below: it is kept, and keeps its height.
+    let mut raw = shaft();
+    retag(&mut raw, 1, |tag, _| tag <= 4);
+    retag(&mut raw, 2, |tag, corners| tag == 1 && corners.iter().all(|p| p[2] >= 1.0));
+    let [(flat, rings), (none, _)] = [GroupBorders::Flat, GroupBorders::None].map(|kept| {
+        let (mut hierarchy, counts) = hierarchy(&raw, kept, 40.0);
+        hierarchy.subdivide(Scheme::BoxSpline).unwrap();
+        (hierarchy.finest().mesh.points().to_vec(), counts)
+    });
+    assert_eq!(rings, [("group-border", 3 * 16)].into());
+    let on_ring =
+        |v: &usize| raw.points[*v][2] == 1.0 && raw.points[*v][0].hypot(raw.points[*v][1]) > 0.99;
+    let ring: Vec<usize> = (0..raw.points.len()).filter(on_ring).collect();
+    assert_eq!(ring.len(), 16);
+    assert!(ring.iter().all(|&v| flat[v][2] == 1.0));
+    // Curve and surface rules are the same cubic splines round it.
+    for (p, q) in flat.iter().zip(&none) {
+        assert!((p[0] - q[0]).hypot(p[1] - q[1]) < 1e-14, "{p:?} {q:?}");
+    }
+}
+
+#[test]
 fn a_border_that_is_bent_is_a_crease_only_where_it_is_sharp() {
     // The top and one patch are one group, the other patches another. Their border is
     // twelve edges of the rim and two lines of four edges along the patch.

@@ -42,7 +42,7 @@ const fn spoilt(change: [&'static str; 2], says: &'static str, code: i32) -> Spo
     Spoilt { change, says, code }
 }
 
-const TABLE: [Spoilt; 37] = [
+const TABLE: [Spoilt; 39] = [
     spoilt(
         ["levels", "levles"],
         "9:1: unknown key `levles` in stage `subdivide`; did you mean `levels`? (valid: ",
@@ -73,6 +73,16 @@ const TABLE: [Spoilt; 37] = [
     spoilt(
         ["crease-angle = 40", "crease-angle = 200"],
         "11:16: `crease-angle` in stage `subdivide`: expected an angle from 0 to 180 degrees, found 200",
+        2,
+    ),
+    spoilt(
+        ["crease-angle = 40", "group-borders = \"flatt\""],
+        "11:17: `group-borders` in stage `subdivide`: unknown choice of group borders `flatt`; did you mean `flat`? (valid: flat, all, none)",
+        2,
+    ),
+    spoilt(
+        ["crease-angle = 40", "group-borders = 1"],
+        "11:17: `group-borders` in stage `subdivide`: found integer `1`, expected \"flat\", \"all\" or true, \"none\" or false",
         2,
     ),
     spoilt(["path = \"MESH\"", ""], "2:1: missing key `path` in stage `import`", 2),

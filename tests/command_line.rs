@@ -26,7 +26,9 @@ fn help_teaches_with_examples() {
         assert!(help.contains("Example") && help.contains("octruss "), "{help}");
     }
     let refine = succeed(here, &["refine", "--help"]);
-    for option in ["--scheme", "--levels", "--crease-angle", "--reorient", "--threads"] {
+    for option in
+        ["--scheme", "--levels", "--crease-angle", "--group-borders", "--reorient", "--threads"]
+    {
         assert!(refine.contains(option), "{option}");
     }
 }
@@ -149,6 +151,28 @@ fn the_crease_angle_decides_what_stays_sharp() {
     assert!((volume(&[]) - 1.0).abs() < 1e-12);
     assert!((volume(&["--crease-angle", "80"]) - 1.0).abs() < 1e-12);
     assert!(volume(&["--crease-angle", "180"]) < 0.9);
+}
+
+#[test]
+fn borders_between_groups_stay_sharp_as_asked_for() {
+    let folder = tempfile::tempdir().unwrap();
+    let mesh = kuhn_cube(2).into_raw();
+    write(&folder.path().join("cube.vtu"), &Dataset { mesh, ..Dataset::default() }).unwrap();
+    let volume = |more: &[&str]| {
+        let arguments = "refine cube.vtu out.vtu --scheme box-spline --levels 1 --crease-angle 180";
+        let arguments: Vec<&str> = arguments.split(' ').chain(more.iter().copied()).collect();
+        succeed(folder.path(), &arguments);
+        json(&succeed(folder.path(), &["info", "out.vtu", "--json"]))["volume"].as_f64().unwrap()
+    };
+    for kept in ["all", "true"] {
+        assert!((volume(&["--group-borders", kept]) - 1.0).abs() < 1e-12);
+    }
+    // At right angles they are not flat.
+    let round = volume(&[]);
+    assert!(round < 0.9);
+    for rounded in ["flat", "none", "false"] {
+        assert_eq!(volume(&["--group-borders", rounded]), round);
+    }
 }
 
 #[test]

@@ -8,8 +8,8 @@ use octruss_fem::{
     assemble, assemble_elasticity, restrict_to_free, vector,
 };
 use octruss_mesh::{
-    AffineCorrection, CheckOptions, FeatureOptions, Hierarchy, InterfaceRows, ProlongationOptions,
-    Scheme, Step, TetMesh, check, guard::usual_floor, shapes,
+    AffineCorrection, CheckOptions, FeatureOptions, GroupBorders, Hierarchy, InterfaceRows,
+    ProlongationOptions, Scheme, Step, TetMesh, check, guard::usual_floor, shapes,
 };
 use octruss_solver::{
     Csr, DiagonalKind, Multigrid, MultigridOptions, NearNullSpace, Nodal, Precision, Smoother,
@@ -33,7 +33,9 @@ fn refined(mesh: &str, geometry: Scheme, levels: usize, crease_angle: f64) -> Hi
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("examples/meshes");
     let dataset = octruss_meshio::read(&folder.join(format!("{mesh}.msh"))).unwrap();
     let mesh: TetMesh = check(dataset.mesh, &CheckOptions::default()).unwrap().mesh;
-    let options = FeatureOptions { crease_angle, ..FeatureOptions::default() };
+    // The border of what is held keeps its shape, as in the configs of the study.
+    let group_borders = GroupBorders::All;
+    let options = FeatureOptions { crease_angle, group_borders, ..FeatureOptions::default() };
     let mut hierarchy = Hierarchy::new(mesh, &options);
     for _ in 0..levels {
         let floor = usual_floor(&hierarchy.finest().mesh);

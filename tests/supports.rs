@@ -3,7 +3,9 @@
 mod common;
 
 use common::{octruss, report, stderr};
+use octruss_mesh::{Group, RawMesh};
 use octruss_meshio::Dataset;
+use serde_json::Value;
 
 /// A shaft of radius 1 along z: its mantle in four groups x0 to y1, its ends z0 and z1.
 fn shaft() -> Dataset {
@@ -16,16 +18,16 @@ fn shaft() -> Dataset {
     Dataset { mesh, ..Dataset::default() }
 }
 
-const LINEAR: &str = "scheme = \"linear\"";
-const SMOOTH: &str = "scheme = \"box-spline\"";
+const LINEAR: &str = "levels = 1\nscheme = \"linear\"";
+const SMOOTH: &str = "levels = 1\nscheme = \"box-spline\"";
 
-/// The notes of a solve on the shaft, refined so, and what is said on stderr.
-fn notes(subdivide: &str, fixed: &str) -> (Vec<String>, String) {
+/// The report of a solve on a shaft, refined so, and what is said on stderr.
+fn solve(shaft: &Dataset, subdivide: &str, fixed: &str) -> (Value, String) {
     let folder = tempfile::tempdir().unwrap();
-    octruss_meshio::write(&folder.path().join("shaft.vtu"), &shaft()).unwrap();
+    octruss_meshio::write(&folder.path().join("shaft.vtu"), shaft).unwrap();
     let config = format!(
         "name = \"c\"\n[[stage]]\nkind = \"import\"\npath = \"shaft.vtu\"\n[[stage]]\n\
-         kind = \"check\"\n[[stage]]\nkind = \"subdivide\"\nlevels = 1\n{subdivide}\n\
+         kind = \"check\"\n[[stage]]\nkind = \"subdivide\"\n{subdivide}\n\
          [[stage]]\nkind = \"solve\"\nproblem = \"elasticity\"\n\
          material = {{ young = 2.6, poisson = 0.3 }}\nfixed = [{fixed}]\n\
          traction = [{{ surface = \"z1\", value = [\"-y\", \"x\", 0] }}]\n\
@@ -34,9 +36,14 @@ fn notes(subdivide: &str, fixed: &str) -> (Vec<String>, String) {
     std::fs::write(folder.path().join("c.toml"), config).unwrap();
     let run = octruss(folder.path(), &["run", "c.toml", "--quiet"]);
     assert!(run.status.success(), "{}", stderr(&run));
-    let report = report(&folder.path().join("out/c"));
-    let notes = report["stages"][3]["notes"].as_array().into_iter().flatten();
-    (notes.map(|note| note.as_str().unwrap().into()).collect(), stderr(&run))
+    (report(&folder.path().join("out/c"))["stages"][3].take(), stderr(&run))
+}
+
+/// The notes of a solve on the shaft, refined so, and what is said on stderr.
+fn notes(subdivide: &str, fixed: &str) -> (Vec<String>, String) {
+    let (solve, said) = solve(&shaft(), subdivide, fixed);
+    let notes = solve["notes"].as_array().into_iter().flatten();
+    (notes.map(|note| note.as_str().unwrap().into()).collect(), said)
 }
 
 #[test]
@@ -62,7 +69,8 @@ fn flat_facets_of_a_curved_bearing_are_remarked() {
 fn a_ridge_between_two_halves_of_a_bearing_is_remarked() {
     let halves = "{ surface = \"z0\", value = [0, 0, 0] }, { surface = \"x0\", normal = 0 }, \
                   { surface = \"y0\", normal = 0 }";
-    let (ridge, said) = notes(SMOOTH, halves);
+    let angular = format!("{SMOOTH}\ngroup-borders = true");
+    let (ridge, said) = notes(&angular, halves);
     assert_eq!(ridge.len(), 1, "{ridge:?}");
     assert!(
         ridge[0]
@@ -73,4 +81,42 @@ fn a_ridge_between_two_halves_of_a_bearing_is_remarked() {
     assert!(said.contains(&ridge[0]), "{said}");
     let round = format!("{SMOOTH}\ngroup-borders = false");
     assert_eq!(notes(&round, halves).0.len(), 0);
+    assert_eq!(notes(SMOOTH, halves).0.len(), 0);
+}
+
+#[test]
+fn a_shaft_turns_as_far_whatever_groups_its_bearing_is_made_of() {
+    // Its mantle as one group, as four, and as four below and four above.
+    let regrouped = |tag: &dyn Fn(i32, f64) -> i32| {
+        let mut shaft = shaft();
+        let RawMesh { points, triangles, groups, .. } = &mut shaft.mesh;
+        for (triangle, of) in triangles.simplices.iter().zip(&mut triangles.tags) {
+            let height = triangle.iter().map(|&v| points[v as usize][2]).sum::<f64>() / 3.0;
+            *of = tag(*of, height);
+        }
+        let upper = (1..=4).map(|id| Group { dimension: 2, id: 10 + id, name: format!("u{id}") });
+        groups.extend(upper);
+        shaft
+    };
+    let one = regrouped(&|tag, _| if tag <= 4 { 1 } else { tag });
+    let eight = regrouped(&|tag, z| if tag <= 4 && z > 1.0 { tag + 10 } else { tag });
+    let turned = |shaft: &Dataset, bearing: &[&str]| {
+        let bearing =
+            bearing.iter().map(|name| format!(", {{ surface = \"{name}\", normal = 0 }}"));
+        let clamp = "{ surface = \"z0\", value = [0, 0, 0] }";
+        let fixed = clamp.to_string() + &bearing.collect::<String>();
+        let (solve, said) = solve(shaft, "levels = 2", &fixed);
+        assert!(!said.contains("ridge"), "{said}");
+        solve["solves"][0]["maximum"].as_f64().unwrap()
+    };
+    let whole = turned(&one, &["x0"]);
+    // A twist of 1 a unit of length over the length 2; the rounded shaft is thinner, linear
+    // tets are too stiff.
+    assert!((whole / 2.0 - 1.0).abs() < 0.1, "{whole}");
+    let lower = ["x0", "x1", "y0", "y1"];
+    let parts = turned(&shaft(), &lower);
+    assert!((parts / whole - 1.0).abs() < 0.01, "{parts} for {whole}");
+    let all = [&lower[..], &["u1", "u2", "u3", "u4"]].concat();
+    let parts = turned(&eight, &all);
+    assert!((parts / whole - 1.0).abs() < 0.01, "{parts} for {whole}");
 }

@@ -72,7 +72,9 @@ pub use core::strata::Strata;
 pub use core::tet_mesh::TetMesh;
 pub use core::topology::Topology;
 pub use core::{components, reference_tet, shapes, strata, topology};
-pub use features::{ExtraFeatures, FeatureError, FeatureOptions, FeatureReasons, Reason, prepare};
+pub use features::{
+    ExtraFeatures, FeatureError, FeatureOptions, FeatureReasons, GroupBorders, Reason, prepare,
+};
 pub use hierarchy::{Hierarchy, Level};
 pub use marking::{Marking, MarkingReport, marking_report};
 pub use refinement::ancestry::{Ancestor, Ancestry, SplitEdges};

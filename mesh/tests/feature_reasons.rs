@@ -4,8 +4,8 @@
 use std::collections::BTreeMap;
 
 use octruss_mesh::{
-    CheckOptions, ExtraFeatures, FeatureOptions, FeatureReasons, Hierarchy, Level, RawMesh, Reason,
-    Scheme, Strata, check, shapes,
+    CheckOptions, ExtraFeatures, FeatureOptions, FeatureReasons, GroupBorders, Hierarchy, Level,
+    RawMesh, Reason, Scheme, Strata, check, shapes,
 };
 
 fn vertex([i, j, k]: [u32; 3]) -> u32 {
@@ -40,7 +40,7 @@ fn the_edges_of_a_cube_are_borders_of_groups_or_sharp() {
     let Explained { reasons, .. } = explain(cube(), FeatureOptions::default());
     assert_eq!(count(&reasons.curves), [("group-border", 48)].into());
     assert_eq!(count(&reasons.points), [("curves-meet", 8)].into());
-    let options = FeatureOptions { group_borders: false, ..FeatureOptions::default() };
+    let options = FeatureOptions { group_borders: GroupBorders::None, ..FeatureOptions::default() };
     let Explained { reasons, .. } = explain(cube(), options.clone());
     assert_eq!(count(&reasons.curves), [("angle", 48)].into());
     let options = FeatureOptions { crease_angle: 180.0, ..options };

@@ -3,7 +3,9 @@
 mod common;
 
 use common::{hierarchy, smooth};
-use octruss_mesh::{FeatureOptions, Hierarchy, Scheme, TetMesh, prepare, quality, shapes};
+use octruss_mesh::{
+    FeatureOptions, GroupBorders, Hierarchy, Scheme, TetMesh, prepare, quality, shapes,
+};
 
 fn eta(mesh: &TetMesh) -> (f64, f64) {
     let summary = quality::summarise(mesh.raw()).unwrap();
@@ -60,8 +62,11 @@ fn preparing_twice_changes_nothing() {
     let once = prepare(shapes::five_tet_cube(), &FeatureOptions::default());
     let features = once.features().unwrap();
     assert_eq!((features.creases.len(), features.corners.len()), (12, 0));
-    let none =
-        FeatureOptions { crease_angle: 180.0, group_borders: false, ..FeatureOptions::default() };
+    let none = FeatureOptions {
+        crease_angle: 180.0,
+        group_borders: GroupBorders::None,
+        ..FeatureOptions::default()
+    };
     assert_eq!(prepare(once.clone(), &none), once);
     assert!(prepare(shapes::five_tet_cube(), &none).features().unwrap().creases.is_empty());
 }

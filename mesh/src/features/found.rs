@@ -1,10 +1,11 @@
 //! Searching a mesh for creases and corners.
 
 use crate::core::raw_mesh::{Features, RawMesh};
-use crate::core::strata::{Incidence, opposite_vertices, surface_faces};
-use crate::core::topology::{NONE, Topology, ascending};
+use crate::core::strata::surface_faces;
+use crate::core::topology::{Topology, ascending};
 use crate::features::options::FeatureOptions;
 use crate::features::reason::Reason;
+use crate::features::surface_creases::surface_creases;
 
 /// Creases and corners with their reasons; sorted, each once.
 pub(super) struct Found {
@@ -63,64 +64,6 @@ fn first_reasons<T: Ord + Copy>(mut found: Vec<(T, Reason)>) -> Vec<(T, Reason)>
     found.sort_unstable();
     found.dedup_by_key(|entry| entry.0);
     found
-}
-
-/// The creases that surfaces have by their shape and their groups.
-fn surface_creases(
-    mesh: &RawMesh,
-    topology: &Topology,
-    options: &FeatureOptions,
-    is_surface: &[bool],
-) -> Vec<([u32; 2], Reason)> {
-    let opposite = opposite_vertices(topology, is_surface);
-    let groups = face_groups(mesh, topology, options.group_borders);
-    // At 180 degrees even a fold of a surface onto itself is smooth.
-    let smooth_cosine = (180.0 - options.crease_angle).to_radians().cos();
-    let crease = |edge: u32| {
-        let ends = topology.edges()[edge as usize];
-        let reason = match *opposite.of(edge) {
-            [_] => Reason::SurfaceBorder,
-            [c, d] => {
-                let group_of =
-                    |third| groups.of(topology.face_of([ends[0], ends[1], third]).unwrap_or(NONE));
-                let sharp = || {
-                    options.crease_angle < 180.0
-                        && half_plane_cosine(mesh, ends, [c, d]) > smooth_cosine
-                };
-                if group_of(c) != group_of(d) {
-                    Reason::GroupBorder
-                } else if sharp() {
-                    Reason::Angle
-                } else {
-                    return None;
-                }
-            }
-            _ => Reason::Junction,
-        };
-        Some((ends, reason))
-    };
-    opposite.keys().filter_map(crease).collect()
-}
-
-/// The surface groups of each face that has any; of none if `wanted` is false.
-fn face_groups(mesh: &RawMesh, topology: &Topology, wanted: bool) -> Incidence {
-    let triangles = mesh.triangles.iter().filter(|&(_, tag)| wanted && tag != 0);
-    let pairs =
-        triangles.filter_map(|(triangle, tag)| Some([topology.face_of(triangle)?, tag as u32]));
-    Incidence::new(pairs.collect())
-}
-
-/// The cosine of the dihedral angle at an edge between the half planes to two
-/// vertices: −1 for a flat surface, 1 for one folded back onto itself. The
-/// angle between consistently oriented normals is 180 degrees less that angle.
-fn half_plane_cosine(mesh: &RawMesh, [a, b]: [u32; 2], thirds: [u32; 2]) -> f64 {
-    let at = |v: u32| nalgebra::Vector3::from(mesh.points[v as usize]);
-    let axis = (at(b) - at(a)).normalize();
-    let [u, w] = thirds.map(|third| {
-        let to = at(third) - at(a);
-        (to - axis * axis.dot(&to)).normalize()
-    });
-    u.dot(&w)
 }
 
 /// Vertices where surface faces meet in the vertex only: those whose faces are

@@ -3,13 +3,16 @@
 mod extra;
 mod feature_reasons;
 mod found;
+mod group_borders;
 mod options;
 mod prepare;
 mod reason;
+mod surface_creases;
 
 pub use extra::{ExtraFeatures, FeatureError};
 pub use feature_reasons::FeatureReasons;
 pub use found::find_features;
+pub use group_borders::GroupBorders;
 pub use options::FeatureOptions;
 pub use prepare::prepare;
 pub use reason::Reason;

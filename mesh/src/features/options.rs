@@ -1,6 +1,7 @@
 //! How a coarsest mesh is readied.
 
 use crate::features::extra::ExtraFeatures;
+use crate::features::group_borders::GroupBorders;
 use crate::marking::Marking;
 
 /// How a coarsest mesh is readied: its marking, and where its creases and
@@ -16,8 +17,9 @@ pub struct FeatureOptions {
     pub group_curves: bool,
     /// Tagged vertices (point groups) are corners.
     pub group_points: bool,
-    /// Edges between faces of different surface groups are creases.
-    pub group_borders: bool,
+    /// Which edges between faces of different surface groups are creases whatever
+    /// their angle.
+    pub group_borders: GroupBorders,
     /// Surface groups that are surface strata even inside a region.
     pub surfaces: Vec<i32>,
     /// Creases and corners that were asked for by their vertices, of the mesh
@@ -32,7 +34,7 @@ impl Default for FeatureOptions {
             crease_angle: 40.0,
             group_curves: true,
             group_points: true,
-            group_borders: true,
+            group_borders: GroupBorders::default(),
             surfaces: Vec::new(),
             extra: ExtraFeatures::default(),
         }

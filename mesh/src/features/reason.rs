@@ -17,7 +17,7 @@ pub enum Reason {
     CurveGroup,
     /// The vertex is in a point group.
     PointGroup,
-    /// The faces at the edge are in different surface groups.
+    /// The faces at the edge are in different surface groups, whose border is kept.
     GroupBorder,
     /// The angle between the faces at the edge.
     Angle,

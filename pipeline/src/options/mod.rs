@@ -3,6 +3,7 @@
 //! only a stage can check it.
 
 mod compare;
+mod group_borders;
 mod material;
 mod min_quality;
 mod on_surface;
@@ -13,6 +14,7 @@ mod value;
 mod value_or;
 
 pub use compare::{Compare, Geometry};
+pub use group_borders::GroupBordersKey;
 pub use material::MaterialKeys;
 pub use min_quality::MinQuality;
 pub use on_surface::{OnSurface, RobinOnSurface, Springs, VectorOnSurface};

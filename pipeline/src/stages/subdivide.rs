@@ -15,7 +15,7 @@ use super::field_notes::field_notes;
 use super::groups::group_ids;
 use super::jumps::start_jumps;
 use crate::error::Error;
-use crate::options::{Degrees, Ends, Fraction, MinQuality, SchemeName};
+use crate::options::{Degrees, Ends, Fraction, GroupBordersKey, MinQuality, SchemeName};
 use crate::report::{CarriedFields, LevelReport, StrataCounts, SubdivideReport};
 use crate::state::{RefineError, State};
 
@@ -56,8 +56,9 @@ pub struct Subdivide {
     pub group_curves: Option<bool>,
     /// Point groups stay where they are; true unless given.
     pub group_points: Option<bool>,
-    /// Borders between surface groups stay sharp; true unless given.
-    pub group_borders: Option<bool>,
+    /// Borders between surface groups stay sharp: `flat` (those across which the surface
+    /// is flat) unless given, `all` or true, `none` or false.
+    pub group_borders: Option<GroupBordersKey>,
     /// Surface groups inside a region that are refined as surfaces, by name.
     pub surfaces: Option<Vec<Spanned<String>>>,
     /// Edges that stay sharp, by their ends: vertices of the checked mesh, from 0, in
@@ -254,7 +255,7 @@ impl Subdivide {
             crease_angle: self.crease_angle.map_or(defaults.crease_angle, |angle| angle.0),
             group_curves: self.group_curves.unwrap_or(defaults.group_curves),
             group_points: self.group_points.unwrap_or(defaults.group_points),
-            group_borders: self.group_borders.unwrap_or(defaults.group_borders),
+            group_borders: self.group_borders.map_or(defaults.group_borders, |key| key.0),
             surfaces,
             extra,
         })

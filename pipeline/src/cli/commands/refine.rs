@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 use std::sync::atomic::AtomicBool;
 
 use octruss::Error;
-use octruss::options::{Degrees, MinQuality, SchemeName};
+use octruss::options::{Degrees, GroupBordersKey, MinQuality, SchemeName};
 use octruss::output::write_with_surfaces;
 use octruss::run::run_stages;
 use octruss::stages::{Check, Import, Stage, Subdivide, Workplace};
@@ -39,10 +39,14 @@ pub struct Refine {
     /// How many times
     #[arg(long, value_name = "N")]
     levels: u8,
-    /// Edges stay sharp where outward normals differ by more; 180 for none by angle (borders,
-    /// curve groups and where surfaces meet stay) [default: 40]
+    /// Edges stay sharp where outward normals differ by more; 180 for none by angle (curve
+    /// groups and where surfaces meet stay) [default: 40]
     #[arg(long, value_name = "DEG")]
     crease_angle: Option<Degrees>,
+    /// Which borders between surface groups stay sharp below that angle: flat (those across
+    /// which the surface is flat), all or none [default: flat]
+    #[arg(long, value_name = "WHICH")]
+    group_borders: Option<GroupBordersKey>,
     /// How marked pairs are chosen: shortest, agree, breadth-first or as-ordered
     /// [default: shortest]
     #[arg(long)]
@@ -84,6 +88,7 @@ impl Refine {
                 scheme: self.scheme,
                 levels: self.levels,
                 crease_angle: self.crease_angle,
+                group_borders: self.group_borders,
                 marking: self.marking,
                 diagonal: self.diagonal.unwrap_or(defaults.diagonal),
                 min_quality: self.min_quality,

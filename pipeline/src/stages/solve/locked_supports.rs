@@ -4,7 +4,7 @@ use octruss_fem::{Elasticity, Error, Ridge, curved_supports, ridges};
 use octruss_mesh::{Hierarchy, Level, Scheme};
 
 /// Remarks on curved surfaces that are held along their normals: where linear refinement left
-/// facets flat, and where smooth refinement kept the border of two groups as a ridge.
+/// facets flat, and where smooth refinement kept a ridge between two groups.
 pub(super) fn locked_supports(
     problem: &Elasticity,
     hierarchy: &Hierarchy,
@@ -17,7 +17,9 @@ pub(super) fn locked_supports(
             notes.push(format!(
                 "the surfaces `{one}` and `{other}`, both held along their normals, meet at a bend \
                  of {degrees:.0}°, which refining keeps as a ridge that locks what should slide \
-                 past it; give `group-borders = false` in the stage `subdivide` unless it is meant"
+                 past it; unless it is meant, leave `group-borders` of the stage `subdivide` at \
+                 \"flat\" or give `group-borders = false`, and keep no curve group or lesser \
+                 `crease-angle` there"
             ));
         }
     }

@@ -88,9 +88,9 @@ pub enum Error {
         /// Unknowns on the coarsest level.
         unknowns: usize,
         /// What Cholesky said, or how its factor failed the test.
-        cholesky: String,
+        cholesky: Box<str>,
         /// What LU said, or how its factor failed the test.
-        lu: String,
+        lu: Box<str>,
         /// A vector that the matrix sends to zero but for rounding, brought to the finest
         /// level: a number, or three, for each of its rows. Empty if none was found.
         null_vector: Vec<f64>,

@@ -127,8 +127,8 @@ impl CoarseSolver {
         lu(columns).map_err(Untrusted::from).and_then(|made| Self::tested(&matrix, made)).map_err(
             |lu| Error::CoarsestSingular {
                 unknowns,
-                cholesky: cholesky.reason,
-                lu: lu.reason,
+                cholesky: cholesky.reason.into(),
+                lu: lu.reason.into(),
                 null_vector: if lu.null_vector.is_empty() {
                     cholesky.null_vector
                 } else {

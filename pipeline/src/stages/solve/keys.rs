@@ -17,7 +17,7 @@ use crate::stages::stage_contradiction::StageContradiction;
 /// come in the order of VTK: xx, yy, zz, xy, yz, xz.
 ///
 /// In a config the keys of the problem and of the options stand beside these.
-#[derive(Debug, Clone, PartialEq, Deserialize)]
+#[derive(Debug, Clone, Default, PartialEq, Deserialize)]
 #[serde(deny_unknown_fields, rename_all = "kebab-case", default)]
 pub struct Solve {
     /// Which equation, with its data.
@@ -30,17 +30,6 @@ pub struct Solve {
     pub options: Options,
     /// Measure bytes and bandwidth of each kernel after solving.
     pub account: bool,
-}
-
-impl Default for Solve {
-    fn default() -> Self {
-        Self {
-            problem: ProblemKeys::default(),
-            prolongation: None,
-            options: Options::default(),
-            account: false,
-        }
-    }
 }
 
 impl Solve {

@@ -75,5 +75,6 @@ pub(crate) fn galerkin_of_entries<E: Entry<Real = f64>>(
             upper
         },
     );
+    drop((half, restriction));
     from_upper(n, &chunks, None)
 }

@@ -51,9 +51,13 @@ pub(crate) fn multiply_with<A: Copy + Sync, B: Copy + Sync, E: Entry>(
         end += length;
         offsets.push(end);
     }
-    let indices: Vec<&[u32]> = chunks.iter().map(|(_, indices, _)| &**indices).collect();
-    let values: Vec<&[E]> = chunks.iter().map(|(.., values)| &**values).collect();
-    Csr::trusted(b.columns(), offsets, indices.concat(), values.concat())
+    let (mut indices, mut values) = (Vec::with_capacity(end), Vec::with_capacity(end));
+    // A chunk is freed as soon as it is copied: else the product would be there twice.
+    for (_, chunk_indices, chunk_values) in chunks {
+        indices.extend(chunk_indices);
+        values.extend(chunk_values);
+    }
+    Csr::trusted(b.columns(), offsets, indices, values)
 }
 
 #[cfg(test)]

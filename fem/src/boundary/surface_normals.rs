@@ -7,7 +7,7 @@ use crate::boundary::surface::outward_triangles;
 use crate::error::Error;
 use crate::problem::elasticity::{Held, Support};
 use octruss_base::disjoint_sets::DisjointSets;
-use octruss_base::vector3::{Vector3, add, dot3, length, scale};
+use octruss_base::vector3::{Vector3, add, cross, dot3, length, scale, subtract};
 use octruss_mesh::{TetMesh, Topology};
 
 /// The cosine of 40°: triangles further apart hold a vertex each for themselves.
@@ -27,6 +27,8 @@ pub(crate) struct Facet {
     /// Outward, of length 1.
     pub(crate) normal: Vector3,
     pub(crate) double_area: f64,
+    /// At each vertex.
+    pub(crate) angles: [f64; 3],
     /// The last listed support that holds it.
     pub(crate) support: usize,
 }
@@ -34,7 +36,7 @@ pub(crate) struct Facet {
 /// A direction along which a vertex is held.
 pub(crate) struct VertexNormal {
     pub(crate) vertex: u32,
-    /// The mean by area, of length 1.
+    /// The mean by angle, of length 1.
     pub(crate) normal: Vector3,
     /// The last listed support of its triangles.
     pub(crate) support: usize,
@@ -62,7 +64,8 @@ pub(crate) fn facets(
             let normal = scale(1.0 / double_area, triangle.double_area);
             let mut vertices = triangle.vertices;
             vertices.sort_unstable();
-            facets.push(Facet { vertices, normal, double_area, support });
+            let angles = angles(vertices.map(|vertex| mesh.points()[vertex as usize]));
+            facets.push(Facet { vertices, normal, double_area, angles, support });
         }
     }
     // Of a triangle listed twice the last support stays.
@@ -85,7 +88,7 @@ pub(crate) fn vertex_normals(facets: &[Facet]) -> Vec<VertexNormal> {
     for corners in corners.chunk_by(|a, b| a.0 == b.0) {
         let fan: Vec<&Facet> = corners.iter().map(|&(_, facet)| &facets[facet]).collect();
         for together in smooth_parts(&fan) {
-            match mean(&together) {
+            match mean(corners[0].0, &together) {
                 Some(normal) => normals.push(vertex_normal(corners[0].0, normal, &together)),
                 None => normals.extend(
                     together.iter().map(|one| vertex_normal(corners[0].0, one.normal, &[one])),
@@ -123,12 +126,27 @@ fn smooth_parts<'a>(fan: &[&'a Facet]) -> Vec<Vec<&'a Facet>> {
     parts.into_iter().map(|(_, part)| part).collect()
 }
 
-/// The mean normal by area, of length 1, if there is one that stands for all.
-fn mean(facets: &[&Facet]) -> Option<Vector3> {
-    let add_to = |sum, facet: &&Facet| add(sum, scale(facet.double_area, facet.normal));
-    let sum = facets.iter().fold([0.0; 3], add_to);
-    let size: f64 = facets.iter().map(|facet| facet.double_area).sum();
+/// The mean normal at a vertex, of length 1, if there is one that stands for all. By the angles
+/// there (Thürmer and Wüthrich 1998): how the facets of a bore are cut into triangles must not
+/// turn it, else a shaft that is free to spin would be held.
+fn mean(vertex: u32, facets: &[&Facet]) -> Option<Vector3> {
+    let weighted = |facet: &&Facet| {
+        let angles = facet.vertices.into_iter().zip(facet.angles);
+        let angle = angles.filter(|(v, _)| *v == vertex).map(|(_, angle)| angle).sum();
+        (angle, facet.normal)
+    };
+    let all = facets.iter().map(weighted);
+    let sum = all.clone().fold([0.0; 3], |sum, (angle, normal)| add(sum, scale(angle, normal)));
+    let size: f64 = all.map(|(angle, _)| angle).sum();
     (length(sum) > LEAST_MEAN * size).then(|| scale(1.0 / length(sum), sum))
+}
+
+/// The angles of a triangle.
+fn angles(corners: [Vector3; 3]) -> [f64; 3] {
+    std::array::from_fn(|k| {
+        let [u, v] = [1, 2].map(|step| subtract(corners[(k + step) % 3], corners[k]));
+        length(cross(u, v)).atan2(dot3(u, v))
+    })
 }
 
 #[cfg(test)]
@@ -142,6 +160,7 @@ mod tests {
             vertices: [0, k + 1, k + 2],
             normal,
             double_area: 1.0,
+            angles: [1.0; 3],
             support: 0,
         };
         (0..).zip(normals).map(facet).collect()
@@ -167,6 +186,34 @@ mod tests {
         assert!((0..3).all(|k| (found[0][k] - exact[k]).abs() < 1e-12), "{found:?}");
         assert_eq!(at_tip(&fan(&[0.0, 41.0].map(tilted))).len(), 2);
         assert_eq!(at_tip(&fan(&[0.0, 39.0].map(tilted))).len(), 1);
+    }
+
+    #[test]
+    fn how_a_facet_is_cut_into_triangles_does_not_turn_the_normal() {
+        // At the rim of a bore two rectangles meet; one is cut at the vertex, one is not.
+        let (sin, cos) = 10f64.to_radians().sin_cos();
+        let at = |along: f64, up: f64| [along * cos, up, along.abs() * sin];
+        let o = at(0.0, 0.0);
+        let facet = |k: u32, corners: [Vector3; 3]| {
+            let double_area =
+                cross(subtract(corners[1], corners[0]), subtract(corners[2], corners[0]));
+            let normal = scale(1.0 / length(double_area), double_area);
+            let vertices = [0, k + 1, k + 2];
+            Facet {
+                vertices,
+                normal,
+                double_area: length(double_area),
+                angles: angles(corners),
+                support: 0,
+            }
+        };
+        let facets = [
+            facet(0, [o, at(1.0, 0.0), at(1.0, 2.0)]),
+            facet(2, [o, at(1.0, 2.0), at(0.0, 2.0)]),
+            facet(4, [o, at(0.0, 2.0), at(-1.0, 0.0)]),
+        ];
+        let found = at_tip(&facets);
+        assert!(found.len() == 1 && found[0][0].abs() < 1e-12 && found[0][2] > 0.9, "{found:?}");
     }
 
     #[test]

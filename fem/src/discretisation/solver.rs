@@ -46,7 +46,7 @@ impl<E: Unknown> Solver<'_, E> {
     ///
     /// Where the iteration stands still although its precision was left open, single
     /// precision inside the cycle is to blame more often than not: then the multigrid is set
-    /// up again in double, and the iteration goes on, with as many iterations again.
+    /// up again in double, and the iteration goes on.
     ///
     /// # Errors
     /// [`Error::NoLoad`] if nothing acts; as [`conjugate_gradients`], in [`Error::Solver`]:
@@ -106,14 +106,15 @@ impl<E: Unknown> Solver<'_, E> {
     /// although nobody asked for that.
     fn lost_to_single_precision<'e>(&self, error: &'e SolverError) -> Option<&'e Unfinished> {
         let is_open = self.options.precision.is_none();
+        let may_go_on = |at: &Unfinished| at.report.iterations < self.options.max_iterations;
         let is_single = self.multigrid.options().precision == Precision::Single;
         match error {
             SolverError::NotConverged(at) if at.has_stalled() => Some(at),
             SolverError::NotPositiveDefinite { at, .. } => Some(at),
             _ => None,
         }
-        .filter(|_| is_open && is_single)
         .map(|at| &**at)
+        .filter(|at| is_open && is_single && may_go_on(at))
     }
 
     /// Goes on where an iteration stood still, with a cycle in double precision.
@@ -122,7 +123,9 @@ impl<E: Unknown> Solver<'_, E> {
         earlier: &Unfinished,
         progress: Option<EachIteration>,
     ) -> Result<Iterated<E>, Error> {
-        let options = Options { precision: Some(Precision::Double), ..self.options };
+        let left = self.options.max_iterations.saturating_sub(earlier.report.iterations);
+        let precision = Some(Precision::Double);
+        let options = Options { precision, max_iterations: left, ..self.options };
         let seconds = self.setup_seconds;
         *self = self.discretisation.solver(&options)?;
         self.setup_seconds += seconds;

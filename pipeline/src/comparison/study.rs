@@ -188,6 +188,11 @@ impl<'a> Study<'a> {
                 .map_err(|source| context.solver("assembly", source))
         };
         let discrete = discretise(hierarchy, options)?;
+        if discrete.free.is_some() {
+            let message = "cannot compare on bodies that nothing holds: leave out `free`, and hold \
+                           the body";
+            return Err(context.request(message.into()));
+        }
         let level = LevelStudy {
             problem: self.solve.problem.equation().name(),
             body: &self.body,

@@ -76,7 +76,7 @@ impl Context<'_> {
     }
 
     /// An error about something this stage asks for.
-    pub(super) fn request(&self, message: String) -> Error {
+    pub(crate) fn request(&self, message: String) -> Error {
         Error::Request { stage: self.stage.label.clone(), message }
     }
 

@@ -104,6 +104,9 @@ pub fn conjugate_gradients<E: Entry<Real = f64>>(
     if run.is_small(norm(&r)) {
         return Ok(run.finish(x, Ended::Residual));
     }
+    if run.is_at_rounding(&x, &r) {
+        return Ok(run.finish(x, Ended::Rounding));
+    }
     Err(Error::NotConverged(run.unfinished(x)))
 }
 

@@ -31,9 +31,9 @@ pub struct SolveOptions<'a> {
 }
 
 impl Default for SolveOptions<'_> {
-    /// From zero to 10⁻⁸ within 200 iterations, silently.
+    /// From zero to 10⁻⁸ within 500 iterations, silently.
     fn default() -> Self {
-        Self { start: None, tolerance: 1e-8, max_iterations: 200, progress: None }
+        Self { start: None, tolerance: 1e-8, max_iterations: 500, progress: None }
     }
 }
 

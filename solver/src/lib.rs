@@ -44,6 +44,7 @@ pub use krylov::cg::conjugate_gradients;
 pub use krylov::iteration::{EachIteration, SolveOptions};
 pub use krylov::operator::Operator;
 pub use krylov::preconditioner::{Identity, Preconditioner};
+pub use krylov::row_sums::WithRowSums;
 pub use krylov::stationary::{geometric_mean, mean_reduction, reductions, stationary_iteration};
 pub use multigrid::aggregation::near_null_space::NearNullSpace;
 pub use multigrid::figures::summary::{LevelOrigin, LevelSummary};

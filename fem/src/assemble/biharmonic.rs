@@ -72,7 +72,7 @@ pub fn assemble_biharmonic(
     });
     check_finite("biharmonic matrix", matrix.values())?;
     check_load(mesh, &as_poisson, &rhs)?;
-    Ok(System { matrix, rhs, dofs, difference, free: None })
+    Ok(System { matrix, row_sums: None, rhs, dofs, difference, free: None })
 }
 
 /// The rows of free vertices, each column scaled.

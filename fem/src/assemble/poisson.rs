@@ -30,6 +30,9 @@ use std::sync::atomic::{AtomicUsize, Ordering::Relaxed};
 pub struct System {
     /// Symmetric positive definite, unless there are free parts; one row for each unknown.
     pub matrix: Csr<f64>,
+    /// The sum of each row of it, without the rounding of its diagonal, where that is known:
+    /// what Robin conditions and prescribed values take.
+    pub row_sums: Option<Vec<f64>>,
     /// Sources and fluxes, minus what the prescribed values contribute.
     pub rhs: Vec<f64>,
     /// Which vertices the unknowns belong to.
@@ -113,7 +116,8 @@ pub fn assemble(mesh: &TetMesh, topology: &Topology, problem: &Poisson) -> Resul
         free.null_space.project(&mut rhs);
         difference.iter_mut().for_each(|d| free.null_space.project(&mut d.rhs));
     }
-    Ok(System { matrix, rhs, dofs, difference, free })
+    let row_sums = Some(free_row_sums(&dofs, &neighbours, &couplings, row_sum));
+    Ok(System { matrix, row_sums, rhs, dofs, difference, free })
 }
 
 /// The stiffness matrix for k = 1 between all vertices of tets, none of them fixed,
@@ -180,6 +184,20 @@ fn tet_couplings(
         first_bad.fetch_min(tet, Relaxed);
     }
     edge_stiffness(corners).map(|value| [k * value])
+}
+
+/// The sum of each row of the matrix: that of all couplings of its vertex and its diagonal,
+/// minus the couplings with vertices without an unknown.
+fn free_row_sums(
+    dofs: &Dofs,
+    neighbours: &Neighbours,
+    couplings: &Sums<1>,
+    row_sum: impl Fn(u32) -> f64,
+) -> Vec<f64> {
+    let is_held = |vertex: u32| dofs.unknown(vertex).is_none();
+    let held: Vec<f64> = (0..dofs.vertices() as u32).map(|v| f64::from(is_held(v))).collect();
+    let sums: Vec<[f64; 1]> = (0..dofs.vertices() as u32).map(|v| [row_sum(v)]).collect();
+    lifted_load(dofs, neighbours, couplings, sums.as_flattened(), &held)
 }
 
 /// The vertices without an unknown, with their values.

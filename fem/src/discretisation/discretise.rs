@@ -40,6 +40,8 @@ pub struct Discretisation<'h, E: Unknown = f64> {
     pub hierarchy: &'h Hierarchy,
     /// One row for each free unknown of the finest level.
     pub matrix: Csr<E>,
+    /// The sum of each of its rows, where that is known better than its entries tell.
+    pub row_sums: Option<Vec<E>>,
     /// One entry for each free unknown of the finest level.
     pub rhs: Vec<E::Nodal>,
     /// Which unknowns of the finest level are free, and what the others are.
@@ -90,7 +92,8 @@ impl<'h, E: Unknown> Discretisation<'h, E> {
                 seconds += start.elapsed().as_secs_f64();
             }
         }
-        let Assembled { matrix, rhs, constraints, difference, free } = problem.assemble(finest)?;
+        let Assembled { matrix, row_sums, rhs, constraints, difference, free } =
+            problem.assemble(finest)?;
         levels.push(E::level(&constraints));
         let missing_load = is_without_load(&rhs, &levels).then(|| problem.missing_load());
         // Levels without unknowns do not count.
@@ -112,6 +115,7 @@ impl<'h, E: Unknown> Discretisation<'h, E> {
         Ok(Self {
             hierarchy,
             matrix,
+            row_sums,
             rhs,
             constraints,
             difference,
@@ -191,7 +195,7 @@ fn solve_coarsest<E: Unknown>(
     let mut multigrid =
         Multigrid::with_transfers(&regularised, Vec::new(), projectors, below, &cycle)?;
     drop(regularised);
-    let Assembled { matrix, rhs, constraints, difference, free } = system;
+    let Assembled { matrix, rhs, constraints, difference, free, .. } = system;
     let solved = difference.as_ref().map_or(&rhs, |difference| &difference.rhs);
     let (x, _) = projected(free.as_ref(), &mut multigrid, |cycle| {
         conjugate_gradients(&matrix, solved, cycle, &SolveOptions::default())

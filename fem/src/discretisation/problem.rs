@@ -58,6 +58,9 @@ pub type Constrained<P> = <<P as Problem>::Entry as Unknown>::Constraints;
 pub struct Assembled<E: Unknown> {
     /// One row for each free unknown.
     pub matrix: Csr<E>,
+    /// The sum of each row, where that is known better than the entries tell: see
+    /// [`WithRowSums`](octruss_solver::WithRowSums).
+    pub row_sums: Option<Vec<E>>,
     /// One entry for each free unknown.
     pub rhs: Vec<E::Nodal>,
     /// Which these are.
@@ -86,15 +89,15 @@ pub(crate) fn regularised<'m, E: Unknown>(
 }
 
 impl From<System> for Assembled<f64> {
-    fn from(System { matrix, rhs, dofs, difference, free }: System) -> Self {
-        Self { matrix, rhs, constraints: dofs, difference, free }
+    fn from(System { matrix, row_sums, rhs, dofs, difference, free }: System) -> Self {
+        Self { matrix, row_sums, rhs, constraints: dofs, difference, free }
     }
 }
 
 impl From<VectorSystem> for Assembled<[[f64; 3]; 3]> {
     fn from(system: VectorSystem) -> Self {
         let VectorSystem { matrix, rhs, constraints, difference, free } = system;
-        Self { matrix, rhs, constraints, difference, free }
+        Self { matrix, row_sums: None, rhs, constraints, difference, free }
     }
 }
 

@@ -14,8 +14,8 @@ use crate::options::prolongations::Prolongations;
 use crate::options::solving::Options;
 use octruss_solver::Error as SolverError;
 use octruss_solver::{
-    EachIteration, Entry, Multigrid, Nodal, Precision, SolveOptions, SolveReport, Unfinished,
-    conjugate_gradients, stationary_iteration,
+    EachIteration, Entry, Multigrid, Nodal, Operator, Precision, SolveOptions, SolveReport,
+    Unfinished, WithRowSums, conjugate_gradients, stationary_iteration,
 };
 use std::time::Instant;
 
@@ -89,6 +89,9 @@ impl<E: Unknown> Solver<'_, E> {
     fn iterate(&mut self, start: Option<&[f64]>, progress: Option<EachIteration>) -> Iterated<E> {
         let discretisation = self.discretisation;
         let (matrix, rhs) = (&discretisation.matrix, discretisation.solved_rhs());
+        let with_sums = discretisation.row_sums.as_deref();
+        let with_sums = with_sums.map(|sums| WithRowSums::new(matrix, sums)).transpose()?;
+        let matrix = with_sums.as_ref().map_or(matrix as &dyn Operator<E>, |known| known);
         let stop = SolveOptions {
             start,
             tolerance: self.options.tolerance,

@@ -15,6 +15,7 @@ const STEPS: usize = 10;
 const EXHAUSTED: f64 = 1e-6;
 
 /// Where the spectrum of D⁻¹A ends.
+#[derive(Clone, Copy)]
 pub(crate) struct UpperEnd {
     /// From below, within a few percent.
     pub(crate) estimate: f64,

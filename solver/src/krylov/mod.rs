@@ -5,4 +5,5 @@ pub mod iteration;
 pub mod lanczos;
 pub mod operator;
 pub mod preconditioner;
+pub mod row_sums;
 pub mod stationary;

@@ -7,10 +7,10 @@ use crate::multigrid::aggregation::coarsening::{Coarsened, Coarsening};
 use crate::multigrid::coarse::{CoarseSolver, Elimination, LARGEST, affordable_elimination};
 use crate::multigrid::cycle::{Coarsest, Cycle};
 use crate::multigrid::figures::summary::{LevelOrigin, LevelSummary};
+use crate::multigrid::galerkin::galerkin_of_entries;
 use crate::multigrid::level::{Kept, Level};
-use crate::multigrid::options::ResolvedOptions;
+use crate::multigrid::options::{ResolvedOptions, Smoother};
 use crate::multigrid::projectors::Projectors;
-use crate::multigrid::smoothed_prolongation::galerkin_of_entries;
 use crate::multigrid::smoother::diagonal::Diagonal;
 use crate::multigrid::smoother::domains::Domains;
 use crate::multigrid::smoother::level_smoother::Grouping;
@@ -67,16 +67,24 @@ impl<'m, E: Entry<Real = f64>, F: Entry> Descent<'m, E, F> {
         })
     }
 
+    /// The matrix of the next level with its diagonal.
+    ///
+    /// # Errors
+    /// [`Error::Diagonal`].
+    pub(crate) fn with_diagonal(&self, coarser: Csr<E>) -> Result<(Csr<E>, Diagonal<E>), Error> {
+        let diagonal = Diagonal::new(&coarser, self.below.saturating_sub(1))?;
+        Ok((coarser, diagonal))
+    }
+
     /// Makes the current matrix a level and goes on with a coarser one.
     pub(crate) fn step(
         &mut self,
         kept: Kept<F>,
-        coarser: Csr<E>,
+        (coarser, coarse_diagonal): (Csr<E>, Diagonal<E>),
         both: [&Projectors<E>; 2],
         coarser_origin: LevelOrigin,
-    ) -> Result<(), Error> {
+    ) {
         self.below = self.below.saturating_sub(1);
-        let coarse_diagonal = Diagonal::new(&coarser, self.below)?;
         let diagonal = std::mem::replace(&mut self.diagonal, coarse_diagonal);
         let scaled = (&*self.current, diagonal, self.scale);
         let level = Level::<F>::new(scaled, kept, both, self.options);
@@ -90,7 +98,6 @@ impl<'m, E: Entry<Real = f64>, F: Entry> Descent<'m, E, F> {
         self.levels.push(level);
         self.current = Cow::Owned(coarser);
         self.origin = coarser_origin;
-        Ok(())
     }
 
     /// Adds algebraic levels below the last given one until a direct solution is cheap or
@@ -108,21 +115,23 @@ impl<'m, E: Entry<Real = f64>, F: Entry> Descent<'m, E, F> {
                 return Ok(elimination);
             }
             let fine = made_here.as_ref().unwrap_or(projectors);
-            let Some(made) = coarsening.step((&self.current, &self.diagonal), fine) else {
+            let Some(made) = coarsening.step((&self.current, &mut self.diagonal), fine) else {
                 return Ok(None);
             };
             let Coarsened { prolongation, projectors: coarse } = made;
             let coarser = galerkin_of_entries(&self.current, &prolongation, &coarse);
             // What is left of a stiff part's rigid motions may be rounding: the direct solver
             // then says which.
-            if Diagonal::new(&coarser, 0).is_err() {
-                return Ok(None);
+            let Ok(coarser) = self.with_diagonal(coarser) else { return Ok(None) };
+            let rounded = prolongation.cast();
+            drop(prolongation);
+            let mut kept = Kept::new(Weights::Entries(rounded));
+            if self.options.smoother == Smoother::HybridGaussSeidel {
+                // Rows are numbered as they lie, aggregates by their first vertices.
+                let domains = Domains::new(self.current.rows(), |row| Some(vec![row as u32]));
+                kept.grouping = Some(Grouping::Domains(domains));
             }
-            let mut kept = Kept::new(Weights::Entries(prolongation.cast()));
-            // Rows are numbered as they lie, aggregates by their first vertices.
-            let domains = Domains::new(self.current.rows(), |row| Some(vec![row as u32]));
-            kept.grouping = Some(Grouping::Domains(domains));
-            self.step(kept, coarser, [fine, &coarse], LevelOrigin::Algebraic)?;
+            self.step(kept, coarser, [fine, &coarse], LevelOrigin::Algebraic);
             made_here = Some(coarse);
         }
     }

@@ -15,6 +15,7 @@ use crate::sparse::entry::Entry;
 use crate::sparse::pattern::Pattern;
 use crate::sparse::real::Real;
 use crate::sparse::symmetric::{UpperRows, from_upper};
+use crate::sparse::transpose::places_by_column;
 use octruss_base::chunks::map_heavy_ranges;
 use std::iter::once;
 use std::sync::Arc;
@@ -52,19 +53,56 @@ pub(crate) fn constrained_galerkin<E: Entry<Real = f64>, W: Real>(
     {
         return product;
     }
-    let workspace = || (Accumulator::<E>::new(a.columns()), Accumulator::<E>::new(p.columns()));
+    let rows_of_a = |i, sums: &mut _| add_rows((a, fine), p_transposed.row(i), sums);
+    through_prolongation(rows_of_a, (p, |sum, weight: W| (weight.to_f64(), sum)), coarse, known)
+}
+
+/// As [`constrained_galerkin`] for a P of entries that leads to free directions.
+///
+/// # Panics
+/// If the sizes do not fit.
+pub(crate) fn galerkin_of_entries<E: Entry<Real = f64>>(
+    a: &Csr<E>,
+    p: &Csr<E>,
+    coarse: &Projectors<E>,
+) -> Csr<E> {
+    assert_eq!(a.columns(), p.rows(), "rows of the prolongation, columns of the matrix");
+    let columns = places_by_column(p);
+    let rows_of_a = |i, sums: &mut Accumulator<E>| {
+        for &(row, place) in columns.of(i) {
+            let weight = p.values()[place as usize].transposed();
+            let (columns, values) = a.row(row as usize);
+            sums.add(columns.iter().zip(values).map(|(&j, &value)| (j, 1.0, weight.times(value))));
+        }
+    };
+    through_prolongation(rows_of_a, (p, |sum: E, weight| (1.0, sum.times(weight))), coarse, None)
+}
+
+/// C (Pᵀ A) P C + t (I − C) from a function that adds a row of Pᵀ A to sums. The product
+/// of one of these and a weight of P is factor · value for (factor, value) of the
+/// function beside P.
+fn through_prolongation<E: Entry<Real = f64>, W: Copy + Sync>(
+    add_row: impl Fn(usize, &mut Accumulator<E>) + Sync,
+    (p, term): (&Csr<W>, impl Fn(E, W) -> (f64, E) + Sync),
+    coarse: &Projectors<E>,
+    known: Option<&Arc<Pattern>>,
+) -> Csr<E> {
+    let workspace = || (Accumulator::<E>::new(p.rows()), Accumulator::<E>::new(p.columns()));
     let chunks = map_heavy_ranges(p.columns(), workspace, |(sums, row), rows| {
         let mut upper = UpperRows::default();
         for i in rows {
             sums.clear();
-            add_rows((a, fine), p_transposed.row(i), sums);
+            add_row(i, sums);
             row.clear();
             for (fine_column, sum) in sums.drain() {
                 let (columns, weights) = p.row(fine_column as usize);
                 // From the end: one comparison that cannot be foreseen, not a search.
                 let upper = columns.iter().zip(weights).rev();
                 let upper = upper.take_while(|(j, _)| **j as usize >= i);
-                row.add(upper.map(|(&j, weight)| (j, weight.to_f64(), sum)));
+                row.add(upper.map(|(&j, &weight)| {
+                    let (factor, value) = term(sum, weight);
+                    (j, factor, value)
+                }));
             }
             let projected = |(j, sum)| (j, coarse.between((i, j as usize), sum));
             if let Some(pattern) = known {

@@ -118,7 +118,7 @@ impl<E: Entry<Real = f64>> Levels<E> {
             transfers.into_iter().enumerate().zip(projectors.windows(2))
         {
             let both = [&pair[0], &pair[1]];
-            let (current, diagonal) = (&*descent.current, &descent.diagonal);
+            let (current, diagonal) = (&*descent.current, &mut descent.diagonal);
             let (mut kept, coarser) = match transfer {
                 AnyTransfer::New(transfer) => transfer.apply((current, diagonal), both),
                 AnyTransfer::Kept(kept) => {
@@ -131,7 +131,8 @@ impl<E: Entry<Real = f64>> Levels<E> {
                 patterns.push(Arc::clone(coarser.pattern()));
             }
             kept.grouping = kept.grouping.or_else(|| groupings.next());
-            descent.step(kept, coarser, both, LevelOrigin::Given)?;
+            let coarser = descent.with_diagonal(coarser)?;
+            descent.step(kept, coarser, both, LevelOrigin::Given);
         }
         if below == NearNullSpace::Unknown {
             descent.afford_any_factor();

@@ -1,9 +1,10 @@
 //! How a level hangs on the next coarser one.
 
 use crate::error::{Error, check_finite, check_size};
+use crate::multigrid::galerkin::galerkin_of_entries;
 use crate::multigrid::level::Kept;
 use crate::multigrid::projectors::Projectors;
-use crate::multigrid::smoothed_prolongation::{galerkin_of_entries, smoothed};
+use crate::multigrid::smoothed_prolongation::smoothed;
 use crate::multigrid::smoother::diagonal::Diagonal;
 use crate::multigrid::weights::Weights;
 use crate::sparse::csr::Csr;
@@ -46,7 +47,7 @@ impl<E: Entry<Real = f64>> Transfer<E> {
     /// and the constrained rows of this and the coarse level.
     pub(crate) fn apply<F: Entry>(
         self,
-        (matrix, diagonal): (&Csr<E>, &Diagonal<E>),
+        (matrix, diagonal): (&Csr<E>, &mut Diagonal<E>),
         [fine, coarse]: [&Projectors<E>; 2],
     ) -> (Kept<F>, Csr<E>) {
         let Self { prolongation: p, smooth, coarse_matrix } = self;

@@ -11,15 +11,16 @@ use octruss_base::chunks::map_heavy_ranges;
 /// # Panics
 /// If the inner dimensions differ.
 pub fn multiply(a: &Csr<f64>, b: &Csr<f64>) -> Csr<f64> {
-    multiply_with(a, b, |a, b| (a, b))
+    multiply_with(a, b, |a, b| (a, b), |_, _, sum| sum)
 }
 
 /// A B where the product of entries a and b is factor · value for (factor, value) of
-/// `term(a, b)`.
+/// `term(a, b)`, and each sum, in a row and a column, becomes what `finished` makes of it.
 pub(crate) fn multiply_with<A: Copy + Sync, B: Copy + Sync, E: Entry>(
     a: &Csr<A>,
     b: &Csr<B>,
     term: impl Fn(A, B) -> (E::Real, E) + Sync,
+    finished: impl Fn(usize, u32, E) -> E + Sync,
 ) -> Csr<E> {
     assert_eq!(a.columns(), b.rows(), "columns of the left, rows of the right factor");
     let workspace = || Accumulator::<E>::new(b.columns());
@@ -39,9 +40,12 @@ pub(crate) fn multiply_with<A: Copy + Sync, B: Copy + Sync, E: Entry>(
             lengths.push(row.count());
             for (j, sum) in row.drain() {
                 indices.push(j);
-                values.push(sum);
+                values.push(finished(i, j, sum));
             }
         }
+        // Vectors that grew have room for up to twice as much.
+        indices.shrink_to_fit();
+        values.shrink_to_fit();
         (lengths, indices, values)
     });
     let mut offsets = Vec::with_capacity(a.rows() + 1);

@@ -9,18 +9,27 @@ use octruss_base::groups::Groups;
 /// come in the order of their rows, so the columns of the result ascend by
 /// themselves.
 pub fn transpose<E: Entry>(matrix: &Csr<E>) -> Csr<E> {
-    let columns = Groups::new(matrix.columns(), matrix.rows(), |i| {
-        let (columns, values) = matrix.row(i);
-        columns.iter().zip(values).map(move |(&j, &value)| (j, (i as u32, value)))
-    });
+    let columns = places_by_column(matrix);
     build_rows(
         (matrix.columns(), matrix.rows()),
         |j| columns.of(j).len(),
         |j, indices, values| {
             let places = indices.iter_mut().zip(values);
-            for (&(row, entry), (index, value)) in columns.of(j).iter().zip(places) {
-                (*index, *value) = (row, entry.transposed());
+            for (&(row, place), (index, value)) in columns.of(j).iter().zip(places) {
+                (*index, *value) = (row, matrix.values()[place as usize].transposed());
             }
         },
     )
+}
+
+/// For each column its (row, place among all values), rows ascending: the transpose of a
+/// matrix whose values, which may be large blocks, stay where they are.
+///
+/// # Panics
+/// If there are 2³² entries or more.
+pub(crate) fn places_by_column<E: Copy + Sync>(matrix: &Csr<E>) -> Groups<(u32, u32)> {
+    Groups::new(matrix.columns(), matrix.rows(), |i| {
+        let places = (matrix.offset(i)..).zip(matrix.row(i).0);
+        places.map(move |(place, &j)| (j, (i as u32, place as u32)))
+    })
 }

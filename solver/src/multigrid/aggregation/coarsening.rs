@@ -41,7 +41,7 @@ impl<E: Entry<Real = f64>> Coarsening<E> {
     /// smaller.
     pub(crate) fn step(
         &mut self,
-        (matrix, diagonal): (&Csr<E>, &Diagonal<E>),
+        (matrix, diagonal): (&Csr<E>, &mut Diagonal<E>),
         fine: &Projectors<E>,
     ) -> Option<Coarsened<E>> {
         let strong = StrongNeighbours::new(matrix, &self.nodes, self.threshold);

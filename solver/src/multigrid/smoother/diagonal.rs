@@ -1,6 +1,7 @@
 //! The diagonal that a smoother inverts, by entries.
 
 use crate::error::Error;
+use crate::krylov::lanczos::{UpperEnd, largest_eigenvalue};
 use crate::krylov::operator::Operator;
 use crate::multigrid::options::DiagonalKind;
 use crate::multigrid::projectors::Projectors;
@@ -13,6 +14,8 @@ use octruss_base::large_array::zeroed;
 pub(crate) struct Diagonal<E> {
     pub(crate) entries: Vec<E>,
     pub(crate) inverses: Vec<E>,
+    /// Where the spectrum of the inverse times the matrix ends, once that is known.
+    pub(crate) upper_end: Option<UpperEnd>,
 }
 
 impl<E: Entry<Real = f64>> Diagonal<E> {
@@ -31,7 +34,13 @@ impl<E: Entry<Real = f64>> Diagonal<E> {
             Ok(())
         });
         chunks.into_iter().collect::<Result<(), _>>()?;
-        Ok(Self { entries, inverses })
+        Ok(Self { entries, inverses, upper_end: None })
+    }
+
+    /// Where the spectrum of the inverse times its matrix ends: looked for once.
+    pub(crate) fn find_upper_end(&mut self, matrix: &Csr<E>) -> UpperEnd {
+        let find = || largest_eigenvalue(matrix, &self.entries, &self.inverses);
+        *self.upper_end.get_or_insert_with(find)
     }
 
     /// Without what lies off the diagonal inside blocks, if points are asked for.
@@ -39,6 +48,7 @@ impl<E: Entry<Real = f64>> Diagonal<E> {
     /// directions.
     pub(crate) fn of_kind(mut self, kind: DiagonalKind, projectors: &Projectors<E>) -> Self {
         if kind == DiagonalKind::Point && E::SIZE > 1 {
+            self.upper_end = None;
             for row in (0..self.entries.len()).filter(|row| projectors.get(*row).is_none()) {
                 let block = self.entries[row];
                 let on = |i: usize, j: usize, value: f64| if i == j { value } else { 0.0 };
@@ -58,6 +68,7 @@ impl<E: Entry<Real = f64>> Diagonal<E> {
         projectors: &Projectors<E>,
     ) -> Self {
         let mut plain = self.of_kind(kind, projectors);
+        plain.upper_end = None;
         for row in 0..matrix.rows() {
             let kept = plain.entries[row];
             let (columns, values) = matrix.row(row);

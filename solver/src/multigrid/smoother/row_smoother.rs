@@ -48,9 +48,10 @@ impl<E: Entry> RowSmoother<E> {
         (matrix, diagonal, scale): Scaled<D>,
         (degree, lower): (usize, f64),
     ) -> Self {
-        let entries: Vec<E> = cast_all(&diagonal.entries, scale);
+        let (known, entries) = (diagonal.upper_end, cast_all(&diagonal.entries, scale));
         let mut smoother = Self::new((matrix, diagonal, scale), Kind::Lexicographic);
-        let end = largest_eigenvalue(&smoother.matrix, &entries, &smoother.inverse_diagonal);
+        let find = || largest_eigenvalue(&smoother.matrix, &entries, &smoother.inverse_diagonal);
+        let end = known.unwrap_or_else(find);
         let upper = (SAFETY * end.estimate).min(end.bound);
         let polynomial = Chebyshev::new(matrix.rows(), degree, lower * upper, upper);
         smoother.kind = Kind::Polynomial(polynomial);

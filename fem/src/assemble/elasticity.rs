@@ -19,7 +19,7 @@ use crate::reference::difference::Difference;
 use crate::reference::nearest_motion::rigid_motions;
 use octruss_base::chunks::map_chunks;
 use octruss_base::vector3::{
-    Matrix3, Vector3, ZERO, add3, apply, multiply3, scale, subtract, transpose3,
+    IDENTITY, Matrix3, Vector3, ZERO, add3, apply, multiply3, scale, subtract, transpose3,
 };
 use octruss_mesh::reference_tet::EDGES;
 use octruss_mesh::{TetMesh, Topology};
@@ -34,6 +34,9 @@ pub struct VectorSystem {
     /// vertex, the mean s of the diagonal of its block: symmetric positive
     /// definite, unless there are free parts; one row of blocks for each unknown vertex.
     pub matrix: Csr<[[f64; 3]; 3]>,
+    /// The sum of each row of it, where nothing holds its vertex without the rounding of the
+    /// diagonal: what springs and what is held beside it take.
+    pub row_sums: Vec<[[f64; 3]; 3]>,
     /// Q (f − A g): loads minus what prescribed displacements contribute.
     pub rhs: Vec<[f64; 3]>,
     /// What is held, and which vertices the unknowns belong to.
@@ -82,6 +85,7 @@ pub fn assemble_elasticity(
     let stiffness = Stiffness { neighbours, couplings, row_sums };
     let by_vertex = constraints.by_vertex();
     let matrix = stiffness.projected_matrix(&constraints, &by_vertex);
+    let row_sums = stiffness.projected_row_sums(&matrix, &constraints, &by_vertex);
     let lifted = |load: &[Vector3], prescribed: Option<&[Vector3]>| {
         stiffness.projected_load(&constraints, &by_vertex, load, prescribed)
     };
@@ -103,7 +107,7 @@ pub fn assemble_elasticity(
         free.null_space.project(&mut rhs);
         difference.iter_mut().for_each(|d| free.null_space.project(&mut d.rhs));
     }
-    Ok(VectorSystem { matrix, rhs, constraints, difference, free })
+    Ok(VectorSystem { matrix, row_sums, rhs, constraints, difference, free })
 }
 
 /// Lamé's constants λ and μ in one tet.
@@ -207,6 +211,36 @@ impl Stiffness<'_> {
                 })
             },
         )
+    }
+
+    /// The sum of each row of the projected matrix. Where a vertex is held its diagonal block
+    /// is what it is; elsewhere a translation of all strains nothing but springs, and of
+    /// that what is held leaves out its part.
+    fn projected_row_sums(
+        &self,
+        matrix: &Csr<Matrix3>,
+        constraints: &Constraints,
+        held: &ByVertex,
+    ) -> Vec<Matrix3> {
+        let mut sums = vec![ZERO; matrix.rows()];
+        map_chunks(&mut sums, |first, chunk| {
+            for (row, sum) in (first..).zip(chunk) {
+                let vertex = constraints.dofs().free()[row];
+                if held.get(vertex).is_some() {
+                    *sum = matrix.row(row).1.iter().fold(ZERO, |sum, block| add3(&sum, block));
+                    continue;
+                }
+                *sum = self.row_sums.get(vertex as usize).map_or(ZERO, unflattened);
+                for (edge, other) in self.neighbours.of(vertex) {
+                    let Some(held) = held.get(other) else { continue };
+                    let left_out: Matrix3 =
+                        std::array::from_fn(|i| subtract(IDENTITY[i], held.projector[i]));
+                    let block = multiply3(&self.block(edge, vertex), &left_out);
+                    *sum = std::array::from_fn(|i| subtract(sum[i], block[i]));
+                }
+            }
+        });
+        sums
     }
 
     /// Q (f − A g) of each unknown, with the prescribed displacement g of each vertex if it

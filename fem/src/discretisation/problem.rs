@@ -96,8 +96,8 @@ impl From<System> for Assembled<f64> {
 
 impl From<VectorSystem> for Assembled<[[f64; 3]; 3]> {
     fn from(system: VectorSystem) -> Self {
-        let VectorSystem { matrix, rhs, constraints, difference, free } = system;
-        Self { matrix, row_sums: None, rhs, constraints, difference, free }
+        let VectorSystem { matrix, row_sums, rhs, constraints, difference, free } = system;
+        Self { matrix, row_sums: Some(row_sums), rhs, constraints, difference, free }
     }
 }
 

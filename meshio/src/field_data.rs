@@ -267,6 +267,7 @@ fn features(arrays: &impl SideArrays) -> Result<Option<Features>, Problem> {
         surfaces: sorted(required(arrays.ids("feature_surfaces")?, "feature_surfaces")?),
         initial_quality: initial_quality(arrays.bytes("initial_quality")?)?,
         cell_states: cell_states(arrays.bytes("cell_states")?.unwrap_or_default())?,
+        control_points: None,
     }))
 }
 

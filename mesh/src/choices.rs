@@ -1,6 +1,6 @@
 //! The closed choices of this crate, by name.
 
-use crate::{AffineCorrection, Diagonal, GroupBorders, InterfaceRows, Marking, Scheme};
+use crate::{AffineCorrection, CurveEnds, Diagonal, GroupBorders, InterfaceRows, Marking, Scheme};
 use octruss_base::choice::Choice;
 
 macro_rules! choices {
@@ -19,6 +19,7 @@ choices! {
     Scheme: "scheme",
     Marking: "marking",
     Diagonal: "diagonal",
+    CurveEnds: "choice of curve ends",
     GroupBorders: "choice of group borders",
     AffineCorrection: "affine correction",
     InterfaceRows: "choice of interface rows",

@@ -4,6 +4,7 @@ use std::sync::Arc;
 
 use rayon::prelude::*;
 
+use crate::core::edge_length::mean_edge_length;
 use crate::core::tet_mesh::TetMesh;
 use crate::core::topology::Topology;
 use crate::features::{FeatureOptions, prepare};
@@ -12,8 +13,6 @@ use crate::refinement::subdivision_matrix::SubdivisionMatrix;
 use crate::subdivide::error::SubdivideError;
 use crate::subdivide::refine::subdivide;
 use crate::subdivide::step::Step;
-use octruss_base::ragged::CHUNK;
-use octruss_base::vector3::{length, subtract};
 
 /// A mesh of a hierarchy, and how it came from the next coarser one.
 #[derive(Debug, Clone)]
@@ -128,19 +127,6 @@ impl Hierarchy {
         };
         let pairs = carried.par_iter().zip(fine.mesh.points());
         let miss = pairs.map(distance).reduce(|| 0.0, f64::max);
-        miss / mean_edge_length(&coarse.mesh, &coarse.topology)
+        miss / mean_edge_length(coarse.mesh.points(), &coarse.topology)
     }
-}
-
-/// The mean length of a mesh's edges, in mesh units.
-pub fn mean_edge_length(mesh: &TetMesh, topology: &Topology) -> f64 {
-    let edge_length = |&[a, b]: &[u32; 2]| {
-        let [p, q] = [a, b].map(|v| mesh.points()[v as usize]);
-        length(subtract(p, q))
-    };
-    // By chunks, so that the sum does not depend on the number of threads.
-    let edges = topology.edges();
-    let sums: Vec<f64> =
-        edges.par_chunks(CHUNK).map(|chunk| chunk.iter().map(edge_length).sum()).collect();
-    sums.iter().sum::<f64>() / edges.len() as f64
 }

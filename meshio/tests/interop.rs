@@ -76,6 +76,7 @@ fn rich_dataset(cells: u32, parts: f64) -> Dataset {
         corners: vec![],
         surfaces: vec![6],
         cell_states: vec![],
+        control_points: None,
     });
     let float = |count: usize| Values::Float((0..count).map(|i| i as f64 / parts - 3.0).collect());
     let whole = |count: usize| Values::Integer((0..count as i64).map(|i| (i - 9) << 40).collect());

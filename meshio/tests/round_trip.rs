@@ -2,7 +2,9 @@
 
 use std::path::Path;
 
-use octruss_mesh::{CellState, Features, Group, Level, RawMesh, Tagged, shapes};
+use octruss_mesh::{
+    CellState, ControlPoints, Features, Group, Level, Placement, RawMesh, Tagged, shapes,
+};
 use octruss_meshio::vtu::{Compression, VtuOptions};
 use octruss_meshio::{
     Dataset, Error, Field, Format, Values, legacy, medit, read, vtu, write_aside,
@@ -152,6 +154,15 @@ fn features_come_back_even_if_there_are_none() {
             corners: vec![0, 5],
             surfaces: vec![2],
             cell_states: states,
+            control_points: None,
+        }),
+        Some(Features {
+            control_points: Some(ControlPoints {
+                vertices: vec![0, 2, 3],
+                positions: vec![[0.1, -0.0, 1e-300], [f64::MAX, 0.2, 1.0 / 3.0], [1.0; 3]],
+                placement: Placement::AtLimit,
+            }),
+            ..Features::default()
         }),
         Some(Features { corners: vec![7], ..Features::default() }),
     ] {

@@ -108,6 +108,7 @@ fn features_in_any_order_are_sorted() {
         corners: vec![0, 3],
         surfaces: vec![-2, 1, 7],
         cell_states: vec![CellState::QuarterRoundX1X3],
+        control_points: None,
     };
     assert_eq!(found.mesh.features, Some(expected));
 }

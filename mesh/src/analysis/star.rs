@@ -69,5 +69,6 @@ fn features_at(
         surfaces: features.surfaces.clone(),
         initial_quality: features.initial_quality,
         cell_states: chosen.iter().filter_map(|&t| states.get(t).copied()).collect(),
+        control_points: None,
     }
 }

@@ -6,6 +6,7 @@
 
 use rayon::prelude::*;
 
+use crate::core::control_points::ControlPoints;
 use crate::core::hilbert;
 use crate::core::raw_mesh::{Features, RawMesh, Tagged};
 use crate::core::tet_mesh::TetMesh;
@@ -78,11 +79,17 @@ fn renumber_vertices(mesh: &mut RawMesh, new: &[u32]) {
     rename(&mut mesh.triangles, new);
     rename(&mut mesh.edges, new);
     rename(&mut mesh.vertices, new);
-    if let Some(Features { creases, corners, .. }) = &mut mesh.features {
+    if let Some(Features { creases, corners, control_points, .. }) = &mut mesh.features {
         creases.iter_mut().for_each(|ends| *ends = ascending(ends.map(|v| new[v as usize])));
         creases.sort_unstable();
         corners.iter_mut().for_each(|v| *v = new[*v as usize]);
         corners.sort_unstable();
+        if let Some(ControlPoints { vertices, positions, .. }) = control_points {
+            let listed = vertices.iter().map(|&v| new[v as usize]).zip(positions.iter().copied());
+            let mut listed: Vec<_> = listed.collect();
+            listed.par_sort_unstable_by_key(|&(vertex, _)| vertex);
+            (*vertices, *positions) = listed.into_iter().unzip();
+        }
     }
 }
 

@@ -2,6 +2,8 @@
 
 pub mod bodies;
 pub mod components;
+pub mod control_points;
+pub mod edge_length;
 pub mod hilbert;
 pub mod locality;
 pub mod raw_mesh;

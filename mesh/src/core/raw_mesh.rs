@@ -1,5 +1,6 @@
 //! A mesh as a file holds it: plain data, nothing checked.
 
+use crate::core::control_points::ControlPoints;
 use crate::core::reference_tet::CellState;
 
 /// Points, tets and tagged simplices as a file states them, unchecked.
@@ -71,6 +72,9 @@ pub struct Features {
     /// What each tet is in the octet truss; empty if all are tetrahedral cells,
     /// as on a mesh that was never refined.
     pub cell_states: Vec<CellState>,
+    /// What the smooth surface through the vertices of the mesh that was refined first
+    /// is the limit of; `None` if none was asked for.
+    pub control_points: Option<ControlPoints>,
 }
 
 impl<const N: usize> Tagged<N> {

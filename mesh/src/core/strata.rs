@@ -52,7 +52,7 @@ impl Strata {
         }
         let surface = Incidence::symmetric(opposite.keys().map(ends));
         let curve = Incidence::symmetric(curves.into_iter());
-        let vertex_dimensions = vertex_dimensions(mesh, features, &surface, &curve);
+        let vertex_dimensions = vertex_dimensions((mesh, topology), features, &surface, &curve);
         let has_free_edges = !free.is_empty();
         Self {
             vertex_dimensions,
@@ -65,6 +65,18 @@ impl Strata {
         }
     }
 
+    /// The vertices of all strata below the solid, ascending; with those inside the solid
+    /// that curves end in.
+    pub(crate) fn listed(&self) -> Vec<u32> {
+        let lower = (0u32..).zip(&self.vertex_dimensions);
+        let mut listed: Vec<u32> =
+            lower.filter(|(_, dimension)| **dimension < 3).map(|(v, _)| v).collect();
+        listed.extend(self.curve.keys());
+        listed.sort_unstable();
+        listed.dedup();
+        listed
+    }
+
     /// The vertices that share an edge of a surface stratum with this one, ascending.
     pub fn surface_neighbours(&self, vertex: u32) -> &[u32] {
         self.surface.of(vertex)
@@ -73,6 +85,14 @@ impl Strata {
     /// The vertices that share a curve edge with this one, ascending.
     pub fn curve_neighbours(&self, vertex: u32) -> &[u32] {
         self.curve.of(vertex)
+    }
+
+    /// The vertex that follows `at` on a curve for one who comes from `from`; none at a
+    /// corner, where the curve ends, or if the two are no neighbours on it.
+    pub fn beyond(&self, from: u32, at: u32) -> Option<u32> {
+        let neighbours = self.curve_neighbours(at);
+        let goes_on = self.vertex_dimensions[at as usize] == 1 && neighbours.contains(&from);
+        neighbours.iter().copied().find(|&next| goes_on && next != from)
     }
 
     /// The third vertices of the surface faces at an edge, ascending.
@@ -124,12 +144,12 @@ fn free_edges(mesh: &RawMesh, topology: &Topology) -> Vec<u32> {
 }
 
 fn vertex_dimensions(
-    mesh: &RawMesh,
+    (mesh, topology): (&RawMesh, &Topology),
     features: &Features,
     surface: &Incidence,
     curve: &Incidence,
 ) -> Vec<u8> {
-    let mut dimensions = vec![3; mesh.points.len()];
+    let mut dimensions = vec![3; topology.vertex_count()];
     // The end of a free curve, and a point on its own, have nothing to follow.
     if !(mesh.edges.is_empty() && mesh.vertices.is_empty()) {
         dimensions.fill(0);

@@ -5,6 +5,7 @@ use std::ops::Range;
 use crate::refinement::ancestry::Ancestry;
 use crate::refinement::carry::{Carried, Overshoot, carry_field};
 use crate::refinement::guard_report::GuardReport;
+use crate::refinement::interpolation_report::InterpolationReport;
 use crate::refinement::subdivision_matrix::SubdivisionMatrix;
 use crate::scheme::Scheme;
 
@@ -29,12 +30,15 @@ pub struct Refinement {
     /// The scheme that made it.
     pub scheme: Scheme,
     /// The scheme's matrix, n_fine × n_coarse: fine positions are matrix ×
-    /// coarse positions.
+    /// coarse positions. Where the step interpolates, its rows are changed for that as
+    /// little as possible.
     pub matrix: SubdivisionMatrix,
     /// Where each part of the fine mesh lies in the coarse one.
     pub ancestry: Ancestry,
     /// What the guard did, if the step had one.
     pub guard: Option<GuardReport>,
+    /// How passing through the vertices of the input went, if the step was to.
+    pub interpolation: Option<InterpolationReport>,
 }
 
 impl Refinement {
@@ -124,7 +128,16 @@ mod tests {
             regions: ancestry.tets.inherit(&coarse().regions, 1),
             ..RawMesh::default()
         };
-        (fine, Refinement { scheme: Scheme::Linear, matrix, ancestry, guard: None })
+        (
+            fine,
+            Refinement {
+                scheme: Scheme::Linear,
+                matrix,
+                ancestry,
+                guard: None,
+                interpolation: None,
+            },
+        )
     }
 
     #[test]

@@ -130,7 +130,10 @@ fn references(raw: &RawMesh) -> impl Iterator<Item = u32> {
     let vertices = raw.vertices.simplices.as_flattened().iter();
     let features = raw.features.iter();
     let features = features.flat_map(|f| f.creases.as_flattened().iter().chain(&f.corners));
-    tets.chain(triangles).chain(edges).chain(vertices).chain(features).copied()
+    let control_points = raw.features.iter().flat_map(|f| &f.control_points);
+    let control_points = control_points.flat_map(|points| &points.vertices);
+    let tagged = triangles.chain(edges).chain(vertices);
+    tets.chain(tagged).chain(features).chain(control_points).copied()
 }
 
 fn out_of_range(raw: &RawMesh) -> Vec<u32> {
@@ -277,7 +280,10 @@ fn drop_unused_vertices(raw: &mut RawMesh) -> Vec<u32> {
     renumber_tagged(vertices, &new_numbers);
     if let Some(features) = features {
         renumber(&mut features.creases, &new_numbers);
-        features.corners.iter_mut().for_each(|v| *v = new_numbers[*v as usize]);
+        let control_points = features.control_points.iter_mut();
+        let control_points = control_points.flat_map(|points| &mut points.vertices);
+        let single = features.corners.iter_mut().chain(control_points);
+        single.for_each(|v| *v = new_numbers[*v as usize]);
     }
     kept
 }

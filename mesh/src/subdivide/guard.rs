@@ -100,14 +100,29 @@ pub(crate) struct Guard<'a> {
     pub fine_tets: &'a [[u32; 4]],
 }
 
+/// What a guard did.
+pub(crate) struct Pulls {
+    /// The share of the linear rule, in [`STEPS`], of each fine vertex; empty if all is
+    /// as it was.
+    pub shares: Vec<u8>,
+    pub report: GuardReport,
+}
+
 impl Guard<'_> {
     /// Pulls rows back until no tet is below the floor or its parent, and moves
     /// the points with them.
     pub fn apply(&self, matrix: &mut SubdivisionMatrix, points: &mut [[f64; 3]]) -> GuardReport {
+        let Pulls { shares, report } = self.pull_back(points);
+        self.blend_rows(matrix, &shares);
+        report
+    }
+
+    /// The same for points that are no rows of a matrix.
+    pub fn pull_back(&self, points: &mut [[f64; 3]]) -> Pulls {
         let mut report = GuardReport { floor: self.floor, ..GuardReport::default() };
         let mut bad = self.too_flat(points, |_| true);
         if bad.is_empty() {
-            return report;
+            return Pulls { shares: Vec::new(), report };
         }
         let smooth = points.to_vec();
         let mut shares = vec![0u8; points.len()];
@@ -124,10 +139,9 @@ impl Guard<'_> {
             }
             bad = self.too_flat(points, |tet| tet.iter().any(|&v| moved[v as usize]));
         }
-        self.blend_rows(matrix, &shares);
         report.pulled_back = shares.iter().filter(|&&share| share > 0).count();
         report.linear = shares.iter().filter(|&&share| share == STEPS).count();
-        report
+        Pulls { shares, report }
     }
 
     /// The tets below what they must reach, among those asked for.

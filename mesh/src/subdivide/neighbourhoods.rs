@@ -108,14 +108,6 @@ impl<'a> Neighbourhoods<'a> {
         round.len() == 4 && round.iter().all(|&slot| MARKED.contains(&(slot as usize % 6)))
     }
 
-    /// The vertex that follows `at` on a curve for one who comes from `from`;
-    /// none at a corner or where the curve ends.
-    pub fn beyond(&self, from: u32, at: u32) -> Option<u32> {
-        let smooth = self.strata.vertex_dimensions[at as usize] == 1;
-        let neighbours = self.strata.curve_neighbours(at);
-        neighbours.iter().copied().find(|&next| smooth && next != from)
-    }
-
     /// The neighbours on the surface round a vertex in cyclic order, from
     /// `first` on, if there are other than six and no curve cuts the ring.
     pub fn extraordinary_ring(&self, centre: u32, first: u32) -> Option<Short<u32>> {

@@ -4,15 +4,22 @@ use std::cmp::Ordering::Greater;
 
 use rayon::prelude::*;
 
+use crate::core::control_points::ControlPoints;
+use crate::core::edge_length::mean_edge_length;
 use crate::core::raw_mesh::RawMesh;
 use crate::core::reference_tet::{corners, six_volumes};
 use crate::core::tet_mesh::TetMesh;
 use crate::core::topology::{EdgeFaces, Topology, VertexEdges};
 use crate::marking::shortest_pairs;
+use crate::refinement::affine_correction::{Geometry, corrected};
+use crate::refinement::guard_report::GuardReport;
+use crate::refinement::interpolation_report::InterpolationReport;
 use crate::refinement::refinement::Refinement;
+use crate::refinement::subdivision_matrix::SubdivisionMatrix;
 use crate::subdivide::assemble_matrix::matrix_with;
 use crate::subdivide::error::SubdivideError;
-use crate::subdivide::guard::{Guard, keep_above};
+use crate::subdivide::guard::{Guard, keep_above, usual_floor};
+use crate::subdivide::passing_through::pass::{Passed, Step as Pass};
 use crate::subdivide::red_split::parents::Parents;
 use crate::subdivide::red_split::parts;
 use crate::subdivide::red_split::split::red_split;
@@ -37,7 +44,8 @@ pub fn subdivide(
     step: impl Into<Step>,
     level: usize,
 ) -> Result<(TetMesh, Topology, Refinement), SubdivideError> {
-    let Step { scheme, diagonal, min_quality } = step.into();
+    let step = step.into();
+    let Step { scheme, diagonal, min_quality, .. } = step;
     let coarse = mesh.raw();
     let ancestry = parts::ancestry(coarse, topology);
     let tets = ancestry.tets.fine_count();
@@ -46,8 +54,8 @@ pub fn subdivide(
     }
     let vertex_edges = VertexEdges::new(topology);
     let edge_faces = EdgeFaces::new(topology);
-    let mut matrix = matrix_with(coarse, topology, (&vertex_edges, &edge_faces), scheme);
-    let mut points = matrix.apply(&coarse.points);
+    let rules = (scheme, step.resolved_curve_ends());
+    let matrix = matrix_with(coarse, topology, (&vertex_edges, &edge_faces), rules);
     let parents = match diagonal {
         Diagonal::Inherit => Parents::marked(&coarse.tets, topology),
         Diagonal::ShortestEachLevel => {
@@ -57,28 +65,75 @@ pub fn subdivide(
         }
     };
     let split = red_split(&parents, &vertex_edges, &edge_faces);
-    let guard = min_quality.map(|floor| {
-        let guard = Guard {
-            floor,
-            coarse,
-            coarse_edges: topology.edges(),
-            parents: &parents,
-            fine_tets: &split.tets,
-        };
-        guard.apply(&mut matrix, &mut points)
-    });
-    // A guard that pulled nothing back has seen that all volumes are positive.
-    if guard.is_none_or(|guard| guard.pulled_back > 0) {
-        refuse_inverted(&points, &split.tets, level)?;
-    }
-    let fine = RawMesh {
-        points,
+    let mut fine = RawMesh {
         regions: ancestry.tets.inherit(&coarse.regions, 1),
         tets: split.tets,
         ..split_tags(coarse, topology, &ancestry, diagonal)
     };
-    let refinement = Refinement { scheme, matrix, ancestry, guard };
+    let guard = |floor| Guard {
+        floor,
+        coarse,
+        coarse_edges: topology.edges(),
+        parents: &parents,
+        fine_tets: &fine.tets,
+    };
+    let moved = match step.solves_for_control_points() {
+        false => Moved::by_rows(coarse, matrix, min_quality.map(guard)),
+        true => {
+            let pass = Pass {
+                coarse,
+                topology,
+                fine: &fine,
+                fine_topology: &split.topology,
+                matrix: &matrix,
+                curve_ends: step.resolved_curve_ends(),
+                guard: &guard(min_quality.unwrap_or_else(|| usual_floor(mesh))),
+                is_guarded: min_quality.is_some(),
+            };
+            Moved::through_the_input(&pass)
+        }
+    };
+    let Moved { points, matrix, guard, control_points, interpolation } = moved;
+    fine.points = points;
+    if let Some(features) = &mut fine.features {
+        features.control_points = control_points;
+    }
+    // A guard that pulled nothing back has seen that all volumes are positive.
+    if guard.is_none_or(|guard| guard.pulled_back > 0) {
+        refuse_inverted(&fine.points, &fine.tets, level)?;
+    }
+    let refinement = Refinement { scheme, matrix, ancestry, guard, interpolation };
     Ok((TetMesh::trusted(fine), split.topology, refinement))
+}
+
+/// The vertices of the fine mesh, and how they came about.
+struct Moved {
+    points: Vec<[f64; 3]>,
+    matrix: SubdivisionMatrix,
+    guard: Option<GuardReport>,
+    control_points: Option<ControlPoints>,
+    interpolation: Option<InterpolationReport>,
+}
+
+impl Moved {
+    /// By the scheme's rows, pulled back by the guard.
+    fn by_rows(coarse: &RawMesh, mut matrix: SubdivisionMatrix, guard: Option<Guard>) -> Self {
+        let mut points = matrix.apply(&coarse.points);
+        let guard = guard.map(|guard| guard.apply(&mut matrix, &mut points));
+        Self { points, matrix, guard, control_points: None, interpolation: None }
+    }
+
+    /// Towards the limit of control points; the rows follow.
+    fn through_the_input(pass: &Pass) -> Self {
+        let Passed { points, control_points, report, pulls } = pass.pass();
+        let coarse = &pass.coarse.points;
+        let length = mean_edge_length(coarse, pass.topology);
+        let geometry = Geometry::new((coarse, pass.topology), &points, length);
+        let (matrix, _) = corrected(pass.matrix, &geometry);
+        let guard = pulls.map(|pulls| pulls.report);
+        let control_points = Some(control_points);
+        Self { points, matrix, guard, control_points, interpolation: Some(report) }
+    }
 }
 
 fn refuse_inverted(

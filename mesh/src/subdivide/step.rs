@@ -1,6 +1,7 @@
 //! What one subdivision step is to do.
 
 use crate::scheme::Scheme;
+use crate::subdivide::curve_ends::CurveEnds;
 
 /// A scheme for the vertices, a diagonal for the tets, and perhaps a guard.
 ///
@@ -27,6 +28,29 @@ pub struct Step {
     /// Keep η above this by pulling rows back to the linear rule; `None` for
     /// no guard. A tet whose parent is below keeps the parent's quality.
     pub min_quality: Option<f64>,
+    /// Whether the limit surface is to pass through the boundary vertices of the mesh
+    /// that is refined first. They stay, and new ones go towards the limit of control
+    /// points that are solved for; see [`crate::ControlPoints`]. Schemes that keep
+    /// vertices do so anyway, and are as without.
+    pub interpolate: bool,
+    /// The rule at the ends of curves; `None` for parabolas where the step interpolates,
+    /// fixed ends elsewhere.
+    pub curve_ends: Option<CurveEnds>,
+}
+
+impl Step {
+    /// Whether new boundary vertices come from control points that are solved for.
+    pub(crate) fn solves_for_control_points(&self) -> bool {
+        self.interpolate && !self.scheme.keeps_vertices()
+    }
+
+    /// The rule at the ends of curves, chosen or implied.
+    pub fn resolved_curve_ends(&self) -> CurveEnds {
+        self.curve_ends.unwrap_or(match self.interpolate {
+            true => CurveEnds::Parabola,
+            false => CurveEnds::Fixed,
+        })
+    }
 }
 
 /// Which inner diagonal splits a tet.
@@ -59,6 +83,12 @@ impl Diagonal {
 
 impl From<Scheme> for Step {
     fn from(scheme: Scheme) -> Self {
-        Self { scheme, diagonal: Diagonal::Inherit, min_quality: None }
+        Self {
+            scheme,
+            diagonal: Diagonal::Inherit,
+            min_quality: None,
+            interpolate: false,
+            curve_ends: None,
+        }
     }
 }

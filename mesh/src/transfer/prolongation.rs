@@ -5,15 +5,16 @@
 
 use std::borrow::Cow;
 
+use crate::core::edge_length::mean_edge_length;
 use crate::core::tet_mesh::TetMesh;
 use crate::core::topology::{NONE, Topology};
-use crate::hierarchy::{Hierarchy, Level, mean_edge_length};
+use crate::hierarchy::{Hierarchy, Level};
+use crate::refinement::affine_correction::{
+    AffineCorrection, CorrectedRows, Geometry, NEGLIGIBLE_DEFECT, corrected,
+};
 use crate::refinement::subdivision_matrix::{SubdivisionMatrix, linear_matrix};
 use crate::scheme::Scheme;
 use crate::subdivide::assemble_matrix::subdivision_matrix;
-use crate::transfer::affine_correction::{
-    AffineCorrection, CorrectedRows, Geometry, NEGLIGIBLE_DEFECT, corrected,
-};
 
 /// Which matrix prolongs.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -106,7 +107,7 @@ impl Hierarchy {
             return Prolongation { matrix, defect_before, corrected };
         }
         let fine = self.levels()[transfer + 1].mesh.points();
-        let length = mean_edge_length(mesh, topology);
+        let length = mean_edge_length(mesh.points(), topology);
         let geometry = Geometry::new((mesh.points(), topology), fine, length);
         let (exact, corrected) = corrected(&matrix, &geometry);
         Prolongation { matrix: Cow::Owned(exact), defect_before, corrected }

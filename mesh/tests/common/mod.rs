@@ -2,6 +2,7 @@
 
 #![allow(dead_code)] // each test binary uses its part
 
+pub mod bodies;
 pub mod random_block;
 
 use octruss_mesh::analysis::{LocalMatrix, at_midpoint};

@@ -194,7 +194,7 @@ impl Subdivide {
             Some(MinQuality::Floor(eta)) => Some(eta),
             None => Some(usual_floor(coarse)),
         };
-        Step { scheme: self.scheme(), diagonal: self.diagonal.0, min_quality }
+        Step { diagonal: self.diagonal.0, min_quality, ..self.scheme().into() }
     }
 
     /// Before any level is made: the last one is the one that does not fit.

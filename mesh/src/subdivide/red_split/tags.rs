@@ -42,7 +42,15 @@ pub fn split_tags(
                 // Octahedra that are not split along their diagonals leave no octet truss.
                 Diagonal::ShortestEachLevel => Vec::new(),
             };
-            Features { creases, cell_states, ..features.clone() }
+            Features {
+                creases,
+                cell_states,
+                corners: features.corners.clone(),
+                surfaces: features.surfaces.clone(),
+                initial_quality: features.initial_quality,
+                // Those of the fine mesh are for the step to refine.
+                control_points: None,
+            }
         }),
         ..RawMesh::default()
     }

@@ -12,6 +12,7 @@ mod averaged;
 mod box_spline;
 mod curve;
 mod interpolatory;
+pub mod limit;
 mod loop_solid;
 mod shares;
 mod surface;

@@ -11,15 +11,20 @@ use crate::subdivide::neighbourhoods::Neighbourhoods;
 pub(crate) fn loop_vertex(near: &Neighbourhoods, vertex: u32, row: &mut Row) {
     let neighbours = near.strata.surface_neighbours(vertex);
     let n = neighbours.len();
-    let each = match n {
+    let each = warren_weight(n);
+    row.add(vertex, 1.0 - n as f64 * each);
+    if each != 0.0 {
+        neighbours.iter().for_each(|&neighbour| row.add(neighbour, each));
+    }
+}
+
+/// The weight of each of n neighbours in the vertex rule.
+pub(super) fn warren_weight(n: usize) -> f64 {
+    match n {
         // A surface needs three neighbours round a vertex.
         0..3 => 0.0,
         3 => 3.0 / 16.0,
         _ => 3.0 / (8.0 * n as f64),
-    };
-    row.add(vertex, 1.0 - n as f64 * each);
-    if each != 0.0 {
-        neighbours.iter().for_each(|&neighbour| row.add(neighbour, each));
     }
 }
 

@@ -6,12 +6,14 @@ use crate::core::raw_mesh::RawMesh;
 use crate::core::topology::{EdgeFaces, Topology, VertexEdges};
 use crate::refinement::subdivision_matrix::Row;
 use crate::scheme::Scheme;
+use crate::subdivide::curve_ends::CurveEnds;
 use crate::subdivide::neighbourhoods::Neighbourhoods;
 use crate::subdivide::octets::Octets;
 
 /// The rules of one scheme on one mesh.
 pub(crate) struct Rules<'a> {
     scheme: Scheme,
+    curve_ends: CurveEnds,
     near: Neighbourhoods<'a>,
     /// The cells of the octet truss, for the scheme that lives on it.
     octets: Option<Octets>,
@@ -23,10 +25,11 @@ impl<'a> Rules<'a> {
         topology: &'a Topology,
         incidences: (&'a VertexEdges, &'a EdgeFaces<'a>),
         scheme: Scheme,
+        curve_ends: CurveEnds,
     ) -> Self {
         let near = Neighbourhoods::new(mesh, topology, incidences);
         let octets = (scheme == Scheme::Averaged).then(|| Octets::new(&near, mesh, topology));
-        Self { scheme, near, octets }
+        Self { scheme, curve_ends, near, octets }
     }
 
     fn octets(&self) -> &Octets {
@@ -40,7 +43,7 @@ impl<'a> Rules<'a> {
         match (dimension, self.scheme) {
             (0, _) => row.add(vertex, 1.0),
             _ if self.scheme.keeps_vertices() => row.add(vertex, 1.0),
-            (1, _) => curve::smooth_vertex(near, vertex, row),
+            (1, _) => curve::smooth_vertex(&near.strata, vertex, self.curve_ends, row),
             (2, _) => surface::loop_vertex(near, vertex, row),
             (_, Scheme::Averaged) => averaged::vertex(near, self.octets(), vertex, row),
             (_, Scheme::LoopSolid { interior, .. }) => {
@@ -59,7 +62,7 @@ impl<'a> Rules<'a> {
             (1, Scheme::Interpolatory { tension, .. }) => {
                 curve::four_point_edge(near, edge, tension, row)
             }
-            (1, _) => midpoint(near, edge, row),
+            (1, _) => curve::smooth_edge(near, edge, self.curve_ends, row),
             (2, Scheme::Interpolatory { tension, .. }) => {
                 surface::butterfly_edge(near, edge, tension, row)
             }

@@ -1,13 +1,4 @@
-//! Tags, names and features as named arrays beside the cells.
-//!
-//! A grid of tets has no room for tagged triangles, so they go, like all else
-//! that is neither points, tets nor fields, into arrays that belong to the file
-//! as a whole. Their names start with [`PREFIX`]; what is empty is not written,
-//! except for features, where empty differs from unknown.
-//!
-//! Other programs carry such arrays along unchanged even where they renumber
-//! vertices or leave tets out. So a fingerprint of points and tets goes with
-//! them; where it no longer fits, vertex numbers mean nothing and are dropped.
+//! Tags, names and features to and from named arrays.
 
 use std::borrow::Cow;
 
@@ -15,42 +6,11 @@ use bytemuck::cast_slice;
 use octruss_mesh::{CellState, Features, Group, RawMesh, Tagged};
 
 use crate::dataset::{Dataset, Field};
+use crate::field_data::control_points;
+use crate::field_data::side_array::{SideArray, SideArrays, SideContent, wrong};
 use crate::fingerprint::fingerprint;
 use crate::notes;
 use crate::problem::Problem;
-
-/// How our own arrays' names start.
-pub(crate) const PREFIX: &str = "octruss:";
-
-/// An array to be written.
-pub(crate) struct SideArray<'a> {
-    /// Behind the prefix.
-    pub(crate) name: &'static str,
-    pub(crate) components: usize,
-    pub(crate) content: SideContent<'a>,
-}
-
-/// What it holds.
-pub(crate) enum SideContent<'a> {
-    /// Vertex numbers, or other words of 32 bits.
-    Vertices(Cow<'a, [u32]>),
-    /// Group ids or dimensions.
-    Ids(Cow<'a, [i32]>),
-    /// Small codes; or names in UTF-8, each ended by a zero byte: not VTK's own
-    /// strings, which meshio cannot read.
-    Bytes(Vec<u8>),
-}
-
-/// Where the arrays of a file are looked up, by the name behind the prefix.
-pub(crate) trait SideArrays {
-    /// The vertex numbers in an array, which has `components` a tuple; `None`
-    /// if there is no such array.
-    fn vertices(&self, name: &str, components: usize) -> Result<Option<Vec<u32>>, Problem>;
-    /// The ids in an array.
-    fn ids(&self, name: &str) -> Result<Option<Vec<i32>>, Problem>;
-    /// The bytes in an array.
-    fn bytes(&self, name: &str) -> Result<Option<Vec<u8>>, Problem>;
-}
 
 /// The arrays that hold the groups of a mesh. The error is a name that cannot be held.
 pub(crate) fn group_arrays(groups: &[Group]) -> Result<Vec<SideArray<'_>>, String> {
@@ -148,6 +108,7 @@ pub(crate) fn mesh_arrays(mesh: &RawMesh) -> Result<Vec<SideArray<'_>>, String> 
             let content = SideContent::Bytes(codes);
             arrays.push(SideArray { name: "cell_states", components: 1, content });
         }
+        arrays.extend(features.control_points.iter().flat_map(control_points::arrays));
     }
     if !arrays.is_empty() {
         let content = SideContent::Vertices(fingerprint(mesh).to_vec().into());
@@ -239,6 +200,7 @@ impl Marks {
                 let states = features.cell_states.len();
                 within(features.creases.as_flattened())
                     && within(&features.corners)
+                    && features.control_points.as_ref().is_none_or(|c| within(&c.vertices))
                     && (states == 0 || states == mesh.tets.len())
             })
     }
@@ -267,6 +229,7 @@ fn features(arrays: &impl SideArrays) -> Result<Option<Features>, Problem> {
         surfaces: sorted(required(arrays.ids("feature_surfaces")?, "feature_surfaces")?),
         initial_quality: initial_quality(arrays.bytes("initial_quality")?)?,
         cell_states: cell_states(arrays.bytes("cell_states")?.unwrap_or_default())?,
+        control_points: control_points::read(arrays)?,
     }))
 }
 
@@ -325,8 +288,4 @@ fn tuples<const N: usize>(vertices: &[u32]) -> Vec<[u32; N]> {
 
 fn required<T>(found: Option<T>, name: &str) -> Result<T, Problem> {
     found.ok_or_else(|| wrong(name, "the array is missing, but others that need it are there"))
-}
-
-fn wrong(name: &str, message: impl Into<String>) -> Problem {
-    Problem::part(format!("array `{PREFIX}{name}`"), message)
 }

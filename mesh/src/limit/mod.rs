@@ -1,0 +1,3 @@
+//! Where subdivision without end leads.
+
+pub mod positions;

@@ -1,0 +1,19 @@
+//! What it took to pass through the vertices of the input.
+
+use crate::core::control_points::Placement;
+
+/// How one step that interpolates went.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct InterpolationReport {
+    /// The iterations that solving for control points took, on curves and on surfaces;
+    /// 0 if they came with the mesh.
+    pub iterations: [usize; 2],
+    /// How far, at most, a component of the limit of these control points is from the
+    /// vertex, in mesh units; 0 if they came with the mesh.
+    pub residual: f64,
+    /// How new vertices were placed.
+    pub placement: Placement,
+    /// The largest distance, in mesh units, by which the guard pulled a boundary vertex
+    /// from where the limit had put it.
+    pub left_to_limit: f64,
+}

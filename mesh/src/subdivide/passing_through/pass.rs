@@ -1,0 +1,193 @@
+//! One step of a mesh whose limit passes through its boundary vertices.
+
+use super::harmonic::extend;
+use super::place::along_normals;
+use super::solve;
+use crate::core::control_points::{ControlPoints, Placement};
+use crate::core::edge_length::mean_edge_length;
+use crate::core::raw_mesh::{Features, RawMesh};
+use crate::core::strata::Strata;
+use crate::core::topology::Topology;
+use crate::refinement::interpolation_report::InterpolationReport;
+use crate::refinement::subdivision_matrix::SubdivisionMatrix;
+use crate::subdivide::curve_ends::CurveEnds;
+use crate::subdivide::guard::{Guard, Pulls};
+use crate::subdivide::rules::limit::LimitRules;
+use octruss_base::vector3::{Vector3, length, subtract};
+
+/// A step as passing through sees it.
+pub(crate) struct Step<'a> {
+    pub coarse: &'a RawMesh,
+    pub topology: &'a Topology,
+    /// Whatever its positions.
+    pub fine: &'a RawMesh,
+    pub fine_topology: &'a Topology,
+    /// The scheme's.
+    pub matrix: &'a SubdivisionMatrix,
+    pub curve_ends: CurveEnds,
+    pub guard: &'a Guard<'a>,
+    /// Whether the guard pulls vertices back; if not, it is only asked whether it would,
+    /// when the placement is chosen.
+    pub is_guarded: bool,
+}
+
+/// What became of it.
+pub(crate) struct Passed {
+    pub points: Vec<Vector3>,
+    pub control_points: ControlPoints,
+    pub report: InterpolationReport,
+    /// What the guard did, if it was to.
+    pub pulls: Option<Pulls>,
+}
+
+/// New positions with one of the placements, before the guard.
+struct Placed {
+    placement: Placement,
+    points: Vec<Vector3>,
+    /// Of all fine vertices.
+    control_points: Vec<Vector3>,
+}
+
+impl Step<'_> {
+    /// Places the fine vertices.
+    ///
+    /// Without control points from a step before, they are solved for, and the placement
+    /// is chosen: along normals, unless the guard would pull boundary vertices back then,
+    /// and fewer at the limit.
+    pub fn pass(&self) -> Passed {
+        let strata = strata(self.coarse, self.topology);
+        let fine = FineStrata::new(self.fine, self.fine_topology);
+        let mut report = InterpolationReport::default();
+        let recorded = self.coarse.features.as_ref().and_then(|all| all.control_points.as_ref());
+        if let Some(recorded) = recorded {
+            let control_points = recorded.of_all(&self.coarse.points);
+            let placed = self.place(recorded.placement, &strata, &fine, &control_points);
+            return self.guarded(placed, &fine, report);
+        }
+        let mut control_points = self.solve(&strata, &mut report);
+        let normal = self.place(Placement::AlongNormals, &strata, &fine, &control_points);
+        let pulled = self.pulled_boundary(&normal, &fine);
+        if pulled == 0 {
+            return self.guarded(normal, &fine, report);
+        }
+        let listed = strata.listed();
+        extend(self.topology, &self.coarse.points, &listed, &mut control_points);
+        let at_limit = self.place(Placement::AtLimit, &strata, &fine, &control_points);
+        let is_better = self.pulled_boundary(&at_limit, &fine) < pulled;
+        self.guarded(if is_better { at_limit } else { normal }, &fine, report)
+    }
+
+    fn solve(&self, strata: &Strata, report: &mut InterpolationReport) -> Vec<Vector3> {
+        let Self { topology, curve_ends, .. } = *self;
+        let points = &self.coarse.points;
+        let edge_length = mean_edge_length(points, topology);
+        let rules = LimitRules { strata, topology, curve_ends };
+        let solved = solve::control_points(&rules, points, &strata.listed(), edge_length);
+        report.iterations = solved.iterations;
+        report.residual = solved.residual;
+        solved.control_points
+    }
+
+    fn place(
+        &self,
+        placement: Placement,
+        strata: &Strata,
+        fine: &FineStrata,
+        control_points: &[Vector3],
+    ) -> Placed {
+        let n = self.coarse.points.len();
+        let mut refined = self.matrix.apply(control_points);
+        if placement == Placement::AlongNormals {
+            // The end of a crease inside the solid is fixed as long as the solid is.
+            let fixed = fine.listed.iter().map(|&v| v as usize).take_while(|&v| v < n);
+            for v in fixed.filter(|&v| strata.vertex_dimensions[v] == 3) {
+                refined[v] = control_points[v];
+            }
+        }
+        let limits = fine.limits(self.curve_ends, self.fine_topology, &refined);
+        let points = match placement {
+            Placement::AlongNormals => {
+                let coarse = (self.coarse, self.topology, strata);
+                along_normals(coarse, self.fine_topology, &fine.listed, &limits)
+            }
+            Placement::AtLimit => {
+                let mut points = refined.clone();
+                for (&vertex, limit) in fine.listed.iter().zip(limits) {
+                    // What is the limit of an old vertex, but for rounding, is that vertex.
+                    let old = self.coarse.points.get(vertex as usize);
+                    points[vertex as usize] = old.copied().unwrap_or(limit);
+                }
+                points
+            }
+        };
+        Placed { placement, points, control_points: refined }
+    }
+
+    /// How many vertices of curves and surfaces the guard pulls back.
+    fn pulled_boundary(&self, placed: &Placed, fine: &FineStrata) -> usize {
+        let Pulls { shares, .. } = self.guard.pull_back(&mut placed.points.clone());
+        let pulled = |&&v: &&u32| shares.get(v as usize).is_some_and(|&share| share > 0);
+        fine.listed.iter().filter(pulled).count()
+    }
+
+    fn guarded(
+        &self,
+        placed: Placed,
+        fine: &FineStrata,
+        mut report: InterpolationReport,
+    ) -> Passed {
+        let Placed { placement, mut points, control_points } = placed;
+        report.placement = placement;
+        let mut pulls = None;
+        if self.is_guarded {
+            let unpulled = points.clone();
+            pulls = Some(self.guard.pull_back(&mut points));
+            let pulled = |&v: &u32| {
+                let [before, after] = [&unpulled, &points].map(|points| points[v as usize]);
+                length(subtract(before, after))
+            };
+            report.left_to_limit = fine.listed.iter().map(pulled).fold(0.0, f64::max);
+        }
+        let vertices = match placement {
+            Placement::AlongNormals => fine.listed.clone(),
+            Placement::AtLimit => (0..points.len() as u32).collect(),
+        };
+        let positions = vertices.iter().map(|&v| control_points[v as usize]).collect();
+        let control_points = ControlPoints { vertices, positions, placement };
+        Passed { points, control_points, report, pulls }
+    }
+}
+
+/// The strata of the fine mesh, and the vertices of those below the solid.
+struct FineStrata {
+    strata: Strata,
+    listed: Vec<u32>,
+}
+
+impl FineStrata {
+    fn new(mesh: &RawMesh, topology: &Topology) -> Self {
+        let strata = strata(mesh, topology);
+        let listed = strata.listed();
+        Self { strata, listed }
+    }
+
+    /// The limit of each listed vertex.
+    fn limits(
+        &self,
+        curve_ends: CurveEnds,
+        topology: &Topology,
+        control_points: &[Vector3],
+    ) -> Vec<Vector3> {
+        let rules = LimitRules { strata: &self.strata, topology, curve_ends };
+        let (rows, columns) = (self.listed.len(), control_points.len());
+        let limit = SubdivisionMatrix::from_rows(rows, columns, |row, entries| {
+            rules.row(self.listed[row], entries);
+        });
+        limit.apply(control_points)
+    }
+}
+
+fn strata(mesh: &RawMesh, topology: &Topology) -> Strata {
+    let smooth = Features::default();
+    Strata::new(mesh, topology, mesh.features.as_ref().unwrap_or(&smooth))
+}

@@ -1,0 +1,89 @@
+//! Where new vertices go, given the limits of the boundary's.
+
+use rayon::prelude::*;
+
+use super::spread::spread;
+use crate::core::raw_mesh::RawMesh;
+use crate::core::strata::Strata;
+use crate::core::topology::Topology;
+use octruss_base::ragged::CHUNK;
+use octruss_base::vector3::{Vector3, add, cross, dot3, length, scale, subtract};
+
+/// The positions of a fine mesh with new boundary vertices moved from the midpoints of
+/// their edges towards their limits, along the normal of the coarse facets, and on a
+/// crease at right angles to the edge. The coarse vertices stay.
+///
+/// `limits` belong to `listed`, the fine vertices of curves and surfaces.
+pub(super) fn along_normals(
+    (coarse, topology, strata): (&RawMesh, &Topology, &Strata),
+    fine_topology: &Topology,
+    listed: &[u32],
+    limits: &[Vector3],
+) -> Vec<Vector3> {
+    let facets = Facets { points: &coarse.points, topology, strata };
+    let n = topology.vertex_count();
+    let first_new = listed.partition_point(|&v| (v as usize) < n);
+    let new = listed[first_new..].par_iter().with_min_len(CHUNK).zip(&limits[first_new..]);
+    let moved: Vec<Vector3> =
+        new.map(|(&v, &limit)| facets.displacement(v - n as u32, limit)).collect();
+    let mut displacements = vec![[0.0; 3]; fine_topology.vertex_count()];
+    let mut is_inner = vec![true; topology.edges().len()];
+    for (&vertex, moved) in listed[first_new..].iter().zip(moved) {
+        displacements[vertex as usize] = moved;
+        is_inner[vertex as usize - n] = false;
+    }
+    let edges = (n as u32..).zip(is_inner);
+    let inner: Vec<u32> = edges.filter(|&(_, is_inner)| is_inner).map(|(v, _)| v).collect();
+    spread(fine_topology, &inner, &mut displacements);
+    let midpoints = topology.edges().par_iter().map(|&ends| facets.midpoint(ends));
+    let linear = coarse.points.par_iter().copied().chain(midpoints);
+    linear.zip(displacements).map(|(point, displacement)| add(point, displacement)).collect()
+}
+
+/// The facets of the coarse surfaces.
+struct Facets<'a> {
+    points: &'a [Vector3],
+    topology: &'a Topology,
+    strata: &'a Strata,
+}
+
+impl Facets<'_> {
+    fn midpoint(&self, [a, b]: [u32; 2]) -> Vector3 {
+        scale(0.5, add(self.points[a as usize], self.points[b as usize]))
+    }
+
+    /// How far the new vertex of an edge is moved from the midpoint.
+    fn displacement(&self, edge: u32, limit: Vector3) -> Vector3 {
+        let ends = self.topology.edges()[edge as usize];
+        let to_limit = subtract(limit, self.midpoint(ends));
+        match self.strata.edge_dimensions[edge as usize] {
+            1 => {
+                let [a, b] = ends.map(|v| self.points[v as usize]);
+                let along = component(to_limit, subtract(b, a)).unwrap_or([0.0; 3]);
+                subtract(to_limit, along)
+            }
+            // Two facets folded upon each other have no normal.
+            _ => component(to_limit, self.normal(edge)).unwrap_or(to_limit),
+        }
+    }
+
+    /// The normal at an edge of a surface, of either orientation: the mean of those of its
+    /// two facets, weighted by their areas.
+    fn normal(&self, edge: u32) -> Vector3 {
+        let [a, b] = self.topology.edges()[edge as usize].map(|v| self.points[v as usize]);
+        let thirds = self.strata.opposite_vertices(edge);
+        let area = |third: &u32| cross(subtract(b, a), subtract(self.points[*third as usize], a));
+        // The second facet has the edge the other way round.
+        let signed = thirds.iter().zip([1.0, -1.0]).map(|(third, sign)| scale(sign, area(third)));
+        signed.fold([0.0; 3], add)
+    }
+}
+
+/// The part of a vector along a direction, if that is one.
+fn component(vector: Vector3, direction: Vector3) -> Option<Vector3> {
+    let size = length(direction);
+    (size > 0.0).then(|| {
+        let unit = scale(size.recip(), direction);
+        scale(dot3(vector, unit), unit)
+    })
+}

@@ -1,0 +1,67 @@
+//! Control points of a smooth surface as arrays beside the cells.
+
+use octruss_mesh::{ControlPoints, Placement};
+
+use crate::field_data::side_array::{SideArray, SideArrays, SideContent, wrong};
+use crate::problem::Problem;
+
+/// The vertices, their control points as doubles in the file's own bytes, whatever the
+/// text around them, and how new vertices are placed.
+const NAMES: [&str; 3] = ["control_vertices", "control_points", "control_placement"];
+
+/// The placements; a file holds their position in this list.
+const PLACEMENTS: [Placement; 2] = [Placement::AlongNormals, Placement::AtLimit];
+
+/// The arrays that hold control points.
+pub(crate) fn arrays(points: &ControlPoints) -> [SideArray<'_>; 3] {
+    let coordinates = points.positions.as_flattened().iter();
+    let bytes = coordinates.flat_map(|x| x.to_le_bytes()).collect();
+    let code = match points.placement {
+        Placement::AlongNormals => 0,
+        Placement::AtLimit => 1,
+    };
+    let contents = [
+        SideContent::Vertices((&points.vertices).into()),
+        SideContent::Bytes(bytes),
+        SideContent::Bytes(vec![code]),
+    ];
+    let mut contents = contents.into_iter();
+    NAMES.map(|name| {
+        let content = contents.next().expect("one for each name");
+        SideArray { name, components: 1, content }
+    })
+}
+
+/// What [`arrays`] wrote, in ascending order of the vertices whatever the file's is.
+pub(crate) fn read(arrays: &impl SideArrays) -> Result<Option<ControlPoints>, Problem> {
+    let [vertices, points, placement] = NAMES;
+    let Some(numbers) = arrays.vertices(vertices, 1)? else { return Ok(None) };
+    let positions = positions(&arrays.bytes(points)?.unwrap_or_default());
+    let positions = positions.filter(|positions| positions.len() == numbers.len());
+    let positions = positions.ok_or_else(|| {
+        let message = format!(
+            "three finite doubles of eight bytes for each of {} vertices are expected",
+            numbers.len()
+        );
+        wrong(points, message)
+    })?;
+    let codes = arrays.bytes(placement)?.unwrap_or_default();
+    let code = <[u8; 1]>::try_from(codes).ok().map(|[code]| usize::from(code));
+    let placement = code
+        .and_then(|code| PLACEMENTS.get(code).copied())
+        .ok_or_else(|| wrong(placement, "one code from 0 to 1 is expected"))?;
+    let mut listed: Vec<(u32, [f64; 3])> = numbers.into_iter().zip(positions).collect();
+    listed.sort_by_key(|&(vertex, _)| vertex);
+    listed.dedup_by_key(|&mut (vertex, _)| vertex);
+    let (vertices, positions) = listed.into_iter().unzip();
+    Ok(Some(ControlPoints { vertices, positions, placement }))
+}
+
+/// Finite positions of three doubles each; `None` if the bytes hold something else.
+fn positions(bytes: &[u8]) -> Option<Vec<[f64; 3]>> {
+    let (doubles, rest) = bytes.as_chunks::<8>();
+    let coordinates: Vec<f64> = doubles.iter().map(|&bytes| f64::from_le_bytes(bytes)).collect();
+    let (positions, left) = coordinates.as_chunks::<3>();
+    let is_whole = rest.is_empty() && left.is_empty();
+    (is_whole && coordinates.iter().all(|x| x.is_finite())).then(|| positions.to_vec())
+}

@@ -57,6 +57,7 @@ mod choices;
 mod core;
 pub mod features;
 pub mod hierarchy;
+pub mod limit;
 pub mod marking;
 mod refinement;
 mod scheme;

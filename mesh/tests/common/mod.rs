@@ -3,6 +3,7 @@
 #![allow(dead_code)] // each test binary uses its part
 
 pub mod random_block;
+pub mod slow_surface;
 
 use octruss_mesh::analysis::{LocalMatrix, at_midpoint};
 use octruss_mesh::{CheckOptions, Features, Hierarchy, RawMesh, Scheme, TetMesh, check};

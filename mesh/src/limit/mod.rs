@@ -1,0 +1,14 @@
+//! The smooth surfaces and curves that subdivision tends to.
+
+pub mod corner;
+pub mod curve;
+mod error;
+mod fan;
+pub mod point;
+mod ring;
+mod ring_step;
+mod sectors;
+mod spline_patch;
+pub mod surface;
+
+pub use error::LimitError;

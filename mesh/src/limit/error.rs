@@ -31,16 +31,12 @@ pub enum LimitError {
     },
     /// A smooth vertex whose triangles are not one disc.
     #[error(
-        "the surface triangles at vertex {vertex} make no single disc: {found} of its {all} \
-         neighbours were met going round; make the vertex a corner"
+        "surfaces touch at vertex {vertex}: its triangles make no single disc, and the limit \
+         there is no surface; make the vertex a corner"
     )]
     NotADisc {
         /// The vertex.
         vertex: u32,
-        /// How many neighbours one way round meets.
-        found: usize,
-        /// How many neighbours it has on surfaces.
-        all: usize,
     },
     /// There are not as many points as vertices.
     #[error("there are {points} points for {vertices} vertices; give one for each")]

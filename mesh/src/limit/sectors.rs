@@ -2,7 +2,6 @@
 
 use rayon::prelude::*;
 
-use super::error::LimitError;
 use crate::core::strata::Strata;
 use crate::core::topology::{NONE, Topology};
 
@@ -21,6 +20,8 @@ pub(super) struct Sector {
     /// order of corners.
     pub face: u32,
     pub reversed: bool,
+    /// Whether the vertex is smooth but its triangles make more than one disc.
+    pub touches: bool,
 }
 
 /// A corner of a triangle: its place in the sector that holds it.
@@ -51,7 +52,7 @@ impl Sectors {
         &self.neighbours[self.offsets[sector] as usize..self.offsets[sector + 1] as usize]
     }
 
-    pub fn new(topology: &Topology, strata: &Strata) -> Result<Self, LimitError> {
+    pub fn new(topology: &Topology, strata: &Strata) -> Self {
         let mut number_of = vec![NONE; topology.faces().len()];
         let on_surface: Vec<u32> =
             (0..number_of.len() as u32).filter(|&f| strata.is_surface[f as usize]).collect();
@@ -76,10 +77,10 @@ impl Sectors {
                 let closed = walk.round(corner, &mut steps);
                 let begins = steps[0].corner as usize / 3;
                 all.push(vertex, &steps, closed, on_surface[begins]);
-                all.follow(strata)?;
+                all.follow(strata);
             }
         }
-        Ok(all)
+        all
     }
 
     /// Takes in a sector from the corners that were met going through it.
@@ -95,32 +96,26 @@ impl Sectors {
         }
         self.offsets.push(self.neighbours.len() as u32);
         let reversed = steps[0].reversed;
-        let (along, fixed) = ([NONE; 2], false);
-        self.sectors.push(Sector { vertex, along, fixed, closed, face, reversed });
+        let (along, fixed, touches) = ([NONE; 2], false, false);
+        self.sectors.push(Sector { vertex, along, fixed, closed, face, reversed, touches });
     }
 
     /// Which rule the vertex of the last sector follows.
-    fn follow(&mut self, strata: &Strata) -> Result<(), LimitError> {
-        let met = self.neighbours(self.sectors.len() - 1).len();
-        let sector = self.sectors.last_mut().expect("one was pushed");
+    fn follow(&mut self, strata: &Strata) {
+        let last = self.sectors.len() - 1;
+        let ring = &self.neighbours[self.offsets[last] as usize..];
+        let sector = &mut self.sectors[last];
         let vertex = sector.vertex;
-        match strata.vertex_dimensions[vertex as usize] {
-            0 => sector.fixed = true,
-            1 => match *strata.curve_neighbours(vertex) {
-                [p, q] => sector.along = [p, q],
-                _ => sector.fixed = true,
-            },
+        match (strata.vertex_dimensions[vertex as usize], strata.curve_neighbours(vertex)) {
+            (1, &[p, q]) => sector.along = [p, q],
+            (0 | 1, _) => sector.fixed = true,
             _ => {
-                let all = strata.surface_neighbours(vertex).len();
-                let is_dart = !sector.closed
-                    && self.neighbours.last() == self.neighbours.get(self.neighbours.len() - met);
-                let found = met - usize::from(is_dart);
-                if found != all || all < 3 || !(sector.closed || is_dart) {
-                    return Err(LimitError::NotADisc { vertex, found, all });
-                }
+                let is_dart = !sector.closed && ring[0] == ring[ring.len() - 1];
+                let met = ring.len() - usize::from(is_dart);
+                let is_all = met == strata.surface_neighbours(vertex).len();
+                sector.touches = met < 3 || !is_all || !(sector.closed || is_dart);
             }
         }
-        Ok(())
     }
 }
 

@@ -52,8 +52,7 @@ impl<'a> LimitSurface<'a> {
     /// Of a mesh with this topology and these strata; one point a vertex.
     ///
     /// # Errors
-    /// If the points are not as many as the vertices, or the triangles at a
-    /// smooth vertex make no single disc.
+    /// If the points are not as many as the vertices.
     pub fn new(
         mesh: &'a RawMesh,
         topology: &'a Topology,
@@ -64,13 +63,14 @@ impl<'a> LimitSurface<'a> {
         if points.len() != vertices {
             return Err(LimitError::Points { points: points.len(), vertices });
         }
-        Ok(Self { topology, mesh, points, sectors: Sectors::new(topology, strata)? })
+        Ok(Self { topology, mesh, points, sectors: Sectors::new(topology, strata) })
     }
 
     /// The limit position at a place, in mesh units.
     ///
     /// # Errors
-    /// If the face is on no surface, or (u, v) outside the triangle.
+    /// If the face is on no surface, (u, v) outside the triangle, or a corner
+    /// smooth though surfaces touch there.
     pub fn position(&self, (face, uv): Place) -> Result<Vector3, LimitError> {
         let ring = self.ring(face, uv)?;
         Ok(match descend(ring, uv) {
@@ -127,11 +127,13 @@ impl<'a> LimitSurface<'a> {
     }
 
     /// The limit at every vertex on a surface, one entry for each sector, by
-    /// vertex; by masks, without evaluating patches.
+    /// vertex; by masks, without evaluating patches. Those of
+    /// [`Self::touching`] are left out.
     pub fn sector_limits(&self) -> Vec<SectorLimit> {
         let sectors = &self.sectors.sectors;
         let chunks = map_ranges(sectors.len(), |range| {
-            let limits = range.map(|number| {
+            let whole = range.filter(|&number| !sectors[number].touches);
+            let limits = whole.map(|number| {
                 let Sector { vertex, face, reversed, .. } = sectors[number];
                 let origin = self.points[vertex as usize];
                 let corner = CornerPlace { sector: number as u32, at: 0, reversed };
@@ -143,6 +145,15 @@ impl<'a> LimitSurface<'a> {
             limits.collect::<Vec<_>>()
         });
         chunks.concat()
+    }
+
+    /// The smooth vertices at which surfaces touch, ascending: about them there
+    /// is no limit surface.
+    pub fn touching(&self) -> Vec<u32> {
+        let sectors = self.sectors.sectors.iter().filter(|sector| sector.touches);
+        let mut vertices: Vec<u32> = sectors.map(|sector| sector.vertex).collect();
+        vertices.dedup();
+        vertices
     }
 
     fn is_flipped(&self, face: u32) -> bool {
@@ -163,6 +174,10 @@ impl<'a> LimitSurface<'a> {
             return Err(LimitError::Outside { u, v });
         }
         let vertices = self.topology.faces()[face as usize];
+        let sectors = places.map(|place| &self.sectors.sectors[place.sector as usize]);
+        if let Some(sector) = sectors.into_iter().find(|sector| sector.touches) {
+            return Err(LimitError::NotADisc { vertex: sector.vertex });
+        }
         let origin = self.points[vertices[0] as usize];
         Ok(Ring {
             origin,

@@ -52,7 +52,9 @@ impl SlowSurface {
                 thirds.entry(sorted(edge)).or_default().push(third);
             }
         }
-        creases.iter().for_each(|&edge| drop(thirds.entry(edge).or_default()));
+        for &edge in &creases {
+            thirds.entry(edge).or_default();
+        }
         let mut points: Vec<Point> = vec![[f64::NAN; 3]; self.points.len()];
         for v in self.followed {
             points[v] = self.moved(v, &thirds, &creases);

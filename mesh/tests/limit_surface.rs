@@ -3,58 +3,15 @@
 
 mod common;
 
+use common::limit_body::{Body, distance};
 use common::random_block::{Random, blocks};
-use common::slow_surface::{Point, SlowSurface};
+use common::slow_surface::SlowSurface;
 use octruss_mesh::analysis::stars;
 use octruss_mesh::limit::{LimitError, surface::LimitSurface};
-use octruss_mesh::{FeatureOptions, Features, RawMesh, Strata, Topology, prepare, shapes};
+use octruss_mesh::{
+    CheckOptions, FeatureOptions, Features, Hierarchy, Scheme, check, prepare, shapes,
+};
 use proptest::prelude::*;
-
-/// A mesh with its strata, its points at random about their places.
-struct Body {
-    mesh: RawMesh,
-    topology: Topology,
-    strata: Strata,
-}
-
-impl Body {
-    fn new(mesh: RawMesh) -> Self {
-        let topology = Topology::new(&mesh);
-        let features = mesh.features.clone().unwrap_or_default();
-        let strata = Strata::new(&mesh, &topology, &features);
-        Self { mesh, topology, strata }
-    }
-
-    fn surface(&self) -> LimitSurface<'_> {
-        LimitSurface::new(&self.mesh, &self.topology, &self.strata, &self.mesh.points).unwrap()
-    }
-
-    fn surface_faces(&self) -> Vec<u32> {
-        let faces = 0..self.topology.faces().len() as u32;
-        faces.filter(|&f| self.strata.is_surface[f as usize]).collect()
-    }
-
-    /// Creases and corners at random among the edges and vertices of surfaces.
-    fn with_random_features(mut self, random: &mut Random, one_in: usize) -> Self {
-        let edges = self.topology.edges().iter().zip(&self.strata.edge_dimensions);
-        let edges: Vec<[u32; 2]> = edges.filter(|e| *e.1 < 3).map(|e| *e.0).collect();
-        let mut features = self.mesh.features.take().unwrap_or_default();
-        features.creases.extend(edges.iter().filter(|_| random.below(one_in) == 0));
-        features.creases.sort_unstable();
-        features.creases.dedup();
-        features
-            .corners
-            .extend(edges.iter().map(|e| e[0]).filter(|_| random.below(4 * one_in) == 0));
-        features.corners.sort_unstable();
-        features.corners.dedup();
-        self.mesh.features = Some(features);
-        Self::new(self.mesh)
-    }
-}
-
-fn distance(a: Point, b: Point) -> f64 {
-    (0..3).map(|k| (a[k] - b[k]).powi(2)).sum::<f64>().sqrt()
-}
 
 /// The barycentric coordinates of a child's corners.
 fn child_corners([a, b, c]: [[f64; 2]; 3], child: usize) -> [[f64; 2]; 3] {
@@ -99,16 +56,12 @@ fn assert_agrees(body: &Body, random: &mut Random, paths: usize, depth: usize) {
     }
 }
 
-fn smooth_star(mesh: octruss_mesh::TetMesh) -> Body {
-    Body::new(mesh.into_raw())
-}
-
 #[test]
 fn smooth_surfaces_agree_with_subdivision_at_all_valences() {
     let mut random = Random::new(1);
     for n in 3..=9 {
-        assert_agrees(&smooth_star(stars::bipyramid(n)), &mut random, 40, 8);
-        assert_agrees(&smooth_star(stars::stack(n, 3)), &mut random, 60, 8);
+        assert_agrees(&Body::new(stars::bipyramid(n).into_raw()), &mut random, 40, 8);
+        assert_agrees(&Body::new(stars::stack(n, 3).into_raw()), &mut random, 60, 8);
     }
 }
 
@@ -128,7 +81,8 @@ fn any_pattern_of_creases_and_corners_agrees_with_subdivision() {
     let mut random = Random::new(3);
     for one_in in [2, 4, 8, 16] {
         for n in [3, 5, 6, 8] {
-            let body = smooth_star(stars::stack(n, 3)).with_random_features(&mut random, one_in);
+            let body =
+                Body::new(stars::stack(n, 3).into_raw()).with_random_features(&mut random, one_in);
             assert_agrees(&body, &mut random, 60, 8);
         }
     }
@@ -149,6 +103,31 @@ fn interfaces_and_where_they_meet_the_boundary_agree_with_subdivision() {
     mesh.features = Some(Features::default());
     let body = Body::new(mesh);
     assert_agrees(&body, &mut random, 200, 8);
+}
+
+/// Every dyadic place of the input is a vertex of the third level of the solid.
+#[test]
+fn levels_of_the_solid_have_the_same_limit() {
+    let mut raw = shapes::kuhn_cube(1).into_raw();
+    raw.points[5] = [1.3, -0.1, 0.8];
+    for crease_angle in [60.0, 180.0] {
+        let options = FeatureOptions { crease_angle, ..FeatureOptions::default() };
+        let mesh = check(raw.clone(), &CheckOptions::default()).unwrap().mesh;
+        let mut levels = Hierarchy::new(mesh, &options);
+        (0..3).for_each(|_| levels.subdivide(Scheme::BoxSpline).unwrap());
+        let body = Body::new(levels.coarsest().mesh.raw().clone());
+        let fine = Body::new(levels.finest().mesh.raw().clone());
+        let limits = fine.surface().sector_limits();
+        for face in body.surface_faces() {
+            for (i, j) in (0..=8).flat_map(|i| (0..=8 - i).map(move |j| (i, j))) {
+                let uv = [i, j].map(|x| f64::from(x) / 8.0);
+                let found = body.surface().position((face, uv)).unwrap();
+                let away = limits.iter().map(|fine| distance(fine.limit.position, found));
+                let least = away.fold(f64::INFINITY, f64::min);
+                assert!(least < 1e-14, "face {face} at {uv:?}: {least:e} from all vertices");
+            }
+        }
+    }
 }
 
 proptest! {

@@ -2,6 +2,7 @@
 
 #![allow(dead_code)] // each test binary uses its part
 
+pub mod limit_body;
 pub mod random_block;
 pub mod slow_surface;
 

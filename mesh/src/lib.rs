@@ -57,7 +57,7 @@ mod choices;
 mod core;
 pub mod features;
 pub mod hierarchy;
-mod limit;
+pub mod limit;
 pub mod marking;
 mod refinement;
 mod scheme;

@@ -1,3 +1,15 @@
-//! Where subdivision without end leads.
+//! The smooth surfaces and curves that subdivision tends to.
 
+pub mod corner;
+pub mod curve;
+mod error;
+mod fan;
+pub mod point;
 pub mod positions;
+mod ring;
+mod ring_step;
+mod sectors;
+mod spline_patch;
+pub mod surface;
+
+pub use error::LimitError;

@@ -3,7 +3,9 @@
 #![allow(dead_code)] // each test binary uses its part
 
 pub mod bodies;
+pub mod limit_body;
 pub mod random_block;
+pub mod slow_surface;
 
 use octruss_mesh::analysis::{LocalMatrix, at_midpoint};
 use octruss_mesh::{CheckOptions, Features, Hierarchy, RawMesh, Scheme, TetMesh, check};

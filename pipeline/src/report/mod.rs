@@ -24,7 +24,7 @@ pub use solve::{
 };
 pub use stage_report::{Done, StageReport};
 pub use subdivide::{
-    CarriedFields, FieldFigures, GuardFigures, LevelReport, MarkingFigures, ReasonCounts,
-    StrataCounts, SubdivideReport,
+    CarriedFields, FieldFigures, GuardFigures, InterpolationFigures, LevelReport, MarkingFigures,
+    ReasonCounts, StrataCounts, SubdivideReport,
 };
 pub use write_report::WriteReport;

@@ -9,7 +9,7 @@ use octruss::output::write_with_surfaces;
 use octruss::run::run_stages;
 use octruss::stages::{Check, Import, Stage, Subdivide, Workplace};
 use octruss_base::choice::Named;
-use octruss_mesh::{Diagonal, Marking};
+use octruss_mesh::{CurveEnds, Diagonal, Marking};
 use octruss_meshio::{Dataset, check_target};
 
 use crate::cli::display::Display;
@@ -39,6 +39,15 @@ pub struct Refine {
     /// How many times
     #[arg(long, value_name = "N")]
     levels: u8,
+    /// Let the smooth surface pass through the vertices of the boundary, which then stay;
+    /// false for the published scheme, which moves them and loses volume [default: true]
+    #[arg(long, value_name = "BOOL", num_args = 0..=1, require_equals = true,
+          default_missing_value = "true")]
+    interpolate: Option<bool>,
+    /// The rule where curves end at corners: parabola or fixed [default: parabola with
+    /// --interpolate, else fixed]
+    #[arg(long, value_name = "RULE")]
+    curve_ends: Option<Named<CurveEnds>>,
     /// Edges stay sharp where outward normals differ by more; 180 for none by angle (curve
     /// groups and where surfaces meet stay) [default: 40]
     #[arg(long, value_name = "DEG")]
@@ -87,6 +96,8 @@ impl Refine {
             Stage::Subdivide(Subdivide {
                 scheme: self.scheme,
                 levels: self.levels,
+                interpolate: self.interpolate,
+                curve_ends: self.curve_ends,
                 crease_angle: self.crease_angle,
                 group_borders: self.group_borders,
                 marking: self.marking,

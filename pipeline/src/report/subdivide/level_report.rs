@@ -1,7 +1,8 @@
 //! One level of a refinement.
 
-use octruss_mesh::Hierarchy;
+use octruss_base::chunks::map_ranges;
 use octruss_mesh::quality::mean_ratio_range;
+use octruss_mesh::{Hierarchy, InterpolationReport, Placement, TetMesh};
 use serde::{Deserialize, Serialize};
 
 use crate::amount::short;
@@ -17,9 +18,43 @@ pub struct LevelReport {
     pub eta_min: f64,
     /// The mean of η.
     pub eta_mean: f64,
+    /// The volume of all tets together, in cubic mesh units.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub volume: Option<f64>,
+    /// How passing through the vertices of the input went, if the smooth surface does.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub interpolation: Option<InterpolationFigures>,
     /// What keeping the quality took, where it was asked for.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub guard: Option<GuardFigures>,
+}
+
+/// How passing through the vertices of the input went.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct InterpolationFigures {
+    /// The iterations that solving for control points took, on curves and on surfaces; 0 if
+    /// they came with the mesh.
+    pub iterations: [usize; 2],
+    /// How far, at most, the limit of a control point is from its vertex, in mesh units; 0 if
+    /// they came with the mesh.
+    pub residual: f64,
+    /// `along-normals`; `at-limit` where walls are so thin that the former would turn tets
+    /// inside out.
+    pub placement: String,
+    /// The largest distance, in mesh units, by which the guard pulled a boundary vertex from
+    /// where the limit had put it.
+    pub left_to_limit: f64,
+}
+
+impl From<InterpolationReport> for InterpolationFigures {
+    fn from(report: InterpolationReport) -> Self {
+        let InterpolationReport { iterations, residual, placement, left_to_limit } = report;
+        let placement = match placement {
+            Placement::AlongNormals => "along-normals",
+            Placement::AtLimit => "at-limit",
+        };
+        Self { iterations, residual, placement: placement.into(), left_to_limit }
+    }
 }
 
 /// What keeping the quality took.
@@ -56,12 +91,16 @@ impl LevelReport {
     pub(crate) fn of_finest(hierarchy: &Hierarchy) -> Self {
         let mesh = &hierarchy.finest().mesh;
         let (eta_min, eta_mean) = mean_ratio_range(mesh.raw());
-        let guard = hierarchy.finest().refinement.as_ref().and_then(|refinement| refinement.guard);
+        let made = hierarchy.finest().refinement.as_ref();
+        let guard = made.and_then(|refinement| refinement.guard);
+        let interpolation = made.and_then(|refinement| refinement.interpolation);
         Self {
             vertices: mesh.points().len(),
             tets: mesh.tets().len(),
             eta_min,
             eta_mean,
+            volume: Some(volume(mesh)),
+            interpolation: interpolation.map(InterpolationFigures::from),
             guard: guard.map(|guard| GuardFigures {
                 floor: guard.floor,
                 pulled_back: guard.pulled_back,
@@ -69,4 +108,11 @@ impl LevelReport {
             }),
         }
     }
+}
+
+/// Summed by chunks, so that it does not depend on the number of threads.
+fn volume(mesh: &TetMesh) -> f64 {
+    let sums =
+        map_ranges(mesh.tets().len(), |range| range.map(|tet| mesh.volume(tet)).sum::<f64>());
+    sums.iter().sum()
 }

@@ -7,7 +7,7 @@ mod strata_counts;
 mod subdivide_report;
 
 pub use carried_fields::{CarriedFields, FieldFigures};
-pub use level_report::{GuardFigures, LevelReport};
+pub use level_report::{GuardFigures, InterpolationFigures, LevelReport};
 pub use marking_figures::MarkingFigures;
 pub use strata_counts::{ReasonCounts, StrataCounts};
 pub use subdivide_report::SubdivideReport;

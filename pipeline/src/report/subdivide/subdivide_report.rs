@@ -44,7 +44,8 @@ impl SubdivideReport {
         unmarked: Option<MarkingReport>,
         strata: StrataCounts,
     ) -> Self {
-        let level = LevelReport { guard: None, ..LevelReport::of_finest(hierarchy) };
+        let level =
+            LevelReport { guard: None, interpolation: None, ..LevelReport::of_finest(hierarchy) };
         let marked = marking_report(&hierarchy.finest().topology);
         let (mut tension, mut interior) = (None, None);
         match scheme {

@@ -1,0 +1,76 @@
+//! What stays sharp, from the keys of the stage.
+
+use octruss_mesh::{ExtraFeatures, FeatureOptions, TetMesh};
+
+use super::keys::Subdivide;
+use crate::error::Error;
+use crate::options::Ends;
+use crate::stages::context::Context;
+use crate::stages::groups::group_ids;
+
+/// The keys of those of these fields that are given: a key is the name of its field, as
+/// serde spells it.
+macro_rules! given_keys {
+    ($options:expr, $($field:ident),+ $(,)?) => {{
+        let fields = [$((stringify!($field), $options.$field.is_some())),+];
+        let given = fields.into_iter().filter(|(_, is_given)| *is_given);
+        given.map(|(field, _)| field.replace('_', "-")).collect::<Vec<_>>()
+    }};
+}
+
+impl Subdivide {
+    /// Notes about options that come too late, or that this scheme has no use for.
+    pub(super) fn without_effect(&self, mesh: &TetMesh) -> Vec<String> {
+        let given = given_keys!(
+            self,
+            marking,
+            crease_angle,
+            group_curves,
+            group_points,
+            group_borders,
+            surfaces,
+            extra_creases,
+            extra_corners,
+        );
+        let mut notes = Vec::new();
+        if mesh.features().is_some() && !given.is_empty() {
+            let given = given.join(", ");
+            notes.push(format!(
+                "what stays sharp is recorded, in the file or earlier: {given} without effect"
+            ));
+        }
+        if self.clamp && !self.scheme().overshoots() {
+            notes.push(format!(
+                "no weight of the {} scheme is negative: clamp without effect",
+                self.scheme().name()
+            ));
+        }
+        notes
+    }
+
+    pub(super) fn feature_options(
+        &self,
+        mesh: &TetMesh,
+        context: &Context,
+    ) -> Result<FeatureOptions, Error> {
+        let mut surfaces = Vec::new();
+        for name in self.surfaces.iter().flatten() {
+            surfaces.extend(group_ids(mesh.raw(), 2, name, context)?);
+        }
+        let creases: Vec<[u32; 2]> =
+            self.extra_creases.iter().flatten().map(|&Ends(ends)| ends).collect();
+        let corners = self.extra_corners.as_deref().unwrap_or_default();
+        let extra = ExtraFeatures::new(mesh, &creases, corners)
+            .map_err(|error| context.request(error.to_string()))?;
+        let defaults = FeatureOptions::default();
+        Ok(FeatureOptions {
+            marking: self.marking.map_or(defaults.marking, |marking| marking.0),
+            crease_angle: self.crease_angle.map_or(defaults.crease_angle, |angle| angle.0),
+            group_curves: self.group_curves.unwrap_or(defaults.group_curves),
+            group_points: self.group_points.unwrap_or(defaults.group_points),
+            group_borders: self.group_borders.map_or(defaults.group_borders, |key| key.0),
+            surfaces,
+            extra,
+        })
+    }
+}

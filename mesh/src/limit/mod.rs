@@ -1,3 +1,5 @@
 //! Where subdivision without end leads.
 
+mod across;
+pub mod distances;
 pub mod positions;

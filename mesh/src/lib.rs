@@ -78,6 +78,7 @@ pub use features::{
     ExtraFeatures, FeatureError, FeatureOptions, FeatureReasons, GroupBorders, Reason, prepare,
 };
 pub use hierarchy::{Hierarchy, Level};
+pub use limit::distances::LimitDistances;
 pub use limit::positions::limit_matrix;
 pub use marking::{Marking, MarkingReport, marking_report};
 pub use refinement::affine_correction::{AffineCorrection, CorrectedRows, NEGLIGIBLE_DEFECT};

@@ -302,3 +302,25 @@ fn numbers_of_threads_do_not_matter() {
     };
     assert!(run(1) == run(3));
 }
+
+#[test]
+fn distances_tell_what_smoothing_takes_away_and_passing_through_keeps() {
+    let plain = Step::from(Scheme::BoxSpline);
+    let shrunk = stepped(ball(2), plain, 2);
+    let kept = through(ball(2), 2);
+    // A smooth surface through the ball's vertices is closer than the plain limit by far.
+    let [before, after] = [0, 2].map(|level| shrunk.limit_distances(level, plain));
+    // The limit is the same; only its facets, which tell the normals, are finer.
+    assert!((before.input_largest / after.input_largest - 1.0).abs() < 0.02, "{after:?}");
+    assert_eq!((before.largest, before.mean), (before.input_largest, before.input_mean));
+    assert!(before.mean > 0.03 && before.largest < 0.1, "{before:?}");
+    assert!(after.largest < 0.1 * before.largest, "{after:?}");
+    let kept = [0, 1, 2].map(|level| kept.limit_distances(level, THROUGH));
+    assert_eq!(kept[0], Default::default());
+    for distances in &kept[1..] {
+        assert!(distances.input_largest < 1e-10 && distances.input_mean < 1e-10);
+        assert!(distances.mean < 0.03 * before.mean, "{distances:?} {before:?}");
+    }
+    let levels = stepped(ball(1), Scheme::INTERPOLATORY.into(), 1);
+    assert_eq!(levels.limit_distances(1, Scheme::INTERPOLATORY), Default::default());
+}

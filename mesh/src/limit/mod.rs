@@ -1,7 +1,9 @@
 //! The smooth surfaces and curves that subdivision tends to.
 
+mod across;
 pub mod corner;
 pub mod curve;
+pub mod distances;
 mod error;
 mod fan;
 pub mod point;

@@ -10,7 +10,7 @@
 //! extended by the vertices of the tets round the coarse vertex or edge, if need be
 //! by further rings of neighbours.
 
-use nalgebra::{Matrix3, SymmetricEigen, Vector3};
+use nalgebra::{Cholesky, Matrix3, SymmetricEigen, Vector3};
 use rayon::prelude::*;
 
 use crate::core::topology::{EdgeFaces, Topology, VertexEdges};
@@ -63,6 +63,9 @@ const MOST_RINGS: usize = 3;
 /// Directions in which columns spread less than this, against the most, are none:
 /// moving x_f along them would take weights of this size's inverse root.
 const FLAT: f64 = 1e-8;
+
+/// Pivots above this share of the trace: all eigenvalues are then far above [`FLAT`].
+const WELL_SPREAD: f64 = 1e-3;
 
 /// How rows were made exact.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -220,7 +223,7 @@ impl<'a> Correction<'a> {
             *size * from_centre * from_centre.transpose()
         };
         let moments: Matrix3<f64> = arms.iter().zip(sizes).map(spread).sum();
-        let lambda = pseudo_inverse(moments)? * geometry.miss(row, (columns, weights));
+        let lambda = solved(moments, geometry.miss(row, (columns, weights)))?;
         let changed = weights.iter().zip(arms.iter().zip(sizes));
         let changed: Vec<f64> = changed
             .map(|(weight, (arm, size))| weight + size * lambda.dot(&(arm - centre)))
@@ -256,6 +259,19 @@ impl<'a> Correction<'a> {
 fn weights_of(columns: &[u32], (of_row, weights): (&[u32], &[f64])) -> Vec<f64> {
     let weight = |column| of_row.binary_search(column).map_or(0.0, |at| weights[at]);
     columns.iter().map(weight).collect()
+}
+
+/// λ with `moments` λ = miss in the directions that the matrix spreads in; none if there is
+/// no such direction.
+fn solved(moments: Matrix3<f64>, miss: Vector3<f64>) -> Option<Vector3<f64>> {
+    // Nearly all spread in space: pivots are within the spectrum, and cost far less than it.
+    if let Some(factor) = Cholesky::new(moments) {
+        let pivots = factor.l_dirty().diagonal();
+        if pivots.min().powi(2) > WELL_SPREAD * moments.trace() {
+            return Some(factor.solve(&miss));
+        }
+    }
+    Some(pseudo_inverse(moments)? * miss)
 }
 
 /// The inverse on the directions that a matrix of second moments spreads in; none if

@@ -141,7 +141,9 @@ impl<'a> Study<'a> {
             Geometry::Subdivided => self.subdivide.scheme,
         };
         let levels = self.levels.first().map_or(0, |&finest| finest as u8);
-        let refined = Subdivide { scheme, levels, ..self.subdivide.clone() };
+        // What is compared are the published schemes, unless a config asks for more.
+        let interpolate = self.subdivide.interpolate.or(Some(false));
+        let refined = Subdivide { scheme, levels, interpolate, ..self.subdivide.clone() };
         let mut stages = self.before.clone();
         stages.push(Stage::Subdivide(refined));
         let state = run_stages(&stages, self.workplace())?;

@@ -23,8 +23,9 @@ pub use solve::{
     SolveStageReport, SurfaceForce, TrafficFigures, TransferFigures,
 };
 pub use stage_report::{Done, StageReport};
+pub(crate) use subdivide::AT_LIMIT;
 pub use subdivide::{
-    CarriedFields, FieldFigures, GuardFigures, InterpolationFigures, LevelReport, MarkingFigures,
-    ReasonCounts, StrataCounts, SubdivideReport,
+    CarriedFields, FieldFigures, GuardFigures, InterpolationFigures, LevelReport, LimitFigures,
+    MarkingFigures, ReasonCounts, StrataCounts, SubdivideReport,
 };
 pub use write_report::WriteReport;

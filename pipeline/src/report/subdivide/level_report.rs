@@ -2,7 +2,7 @@
 
 use octruss_base::chunks::map_ranges;
 use octruss_mesh::quality::mean_ratio_range;
-use octruss_mesh::{Hierarchy, InterpolationReport, Placement, TetMesh};
+use octruss_mesh::{Hierarchy, InterpolationReport, LimitDistances, Placement, Step, TetMesh};
 use serde::{Deserialize, Serialize};
 
 use crate::amount::short;
@@ -21,6 +21,10 @@ pub struct LevelReport {
     /// The volume of all tets together, in cubic mesh units.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub volume: Option<f64>,
+    /// How far boundary vertices are from the limit of further steps by the same scheme; of
+    /// smooth schemes only.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub limit: Option<LimitFigures>,
     /// How passing through the vertices of the input went, if the smooth surface does.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub interpolation: Option<InterpolationFigures>,
@@ -28,6 +32,34 @@ pub struct LevelReport {
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub guard: Option<GuardFigures>,
 }
+
+/// How far boundary vertices are from the limit, in mesh units.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct LimitFigures {
+    /// The largest distance of a vertex of the level.
+    pub largest: f64,
+    /// The mean over them.
+    pub mean: f64,
+    /// The largest distance of a vertex of the coarsest level, as it came in.
+    pub input_largest: f64,
+    /// The mean over these.
+    pub input_mean: f64,
+}
+
+impl LimitFigures {
+    /// Of the finest level, refined on by a step.
+    pub(crate) fn of_finest(hierarchy: &Hierarchy, step: Step) -> Option<Self> {
+        let distances = || {
+            let all = hierarchy.limit_distances(hierarchy.transfers(), step);
+            let LimitDistances { largest, mean, input_largest, input_mean } = all;
+            Self { largest, mean, input_largest, input_mean }
+        };
+        (!step.scheme.keeps_vertices()).then(distances)
+    }
+}
+
+/// How reports call [`Placement::AtLimit`].
+pub(crate) const AT_LIMIT: &str = "at-limit";
 
 /// How passing through the vertices of the input went.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -51,7 +83,7 @@ impl From<InterpolationReport> for InterpolationFigures {
         let InterpolationReport { iterations, residual, placement, left_to_limit } = report;
         let placement = match placement {
             Placement::AlongNormals => "along-normals",
-            Placement::AtLimit => "at-limit",
+            Placement::AtLimit => AT_LIMIT,
         };
         Self { iterations, residual, placement: placement.into(), left_to_limit }
     }
@@ -100,6 +132,7 @@ impl LevelReport {
             eta_min,
             eta_mean,
             volume: Some(volume(mesh)),
+            limit: None,
             interpolation: interpolation.map(InterpolationFigures::from),
             guard: guard.map(|guard| GuardFigures {
                 floor: guard.floor,

@@ -39,6 +39,18 @@ impl Subdivide {
                 "what stays sharp is recorded, in the file or earlier: {given} without effect"
             ));
         }
+        if self.scheme().keeps_vertices() {
+            let given = [
+                ("interpolate", self.interpolate == Some(true)),
+                ("curve-ends", self.curve_ends.is_some()),
+            ];
+            for (key, _) in given.into_iter().filter(|(_, is_given)| *is_given) {
+                notes.push(format!(
+                    "the {} scheme keeps vertices: {key} without effect",
+                    self.scheme().name()
+                ));
+            }
+        }
         if self.clamp && !self.scheme().overshoots() {
             notes.push(format!(
                 "no weight of the {} scheme is negative: clamp without effect",

@@ -4,11 +4,16 @@ use octruss_mesh::{MAX_TETS, Overshoot, Topology, marking_report, most_levels};
 
 use super::keys::Subdivide;
 use crate::error::Error;
-use crate::report::{CarriedFields, LevelReport, StrataCounts, SubdivideReport};
+use crate::report::{
+    AT_LIMIT, CarriedFields, LevelReport, LimitFigures, StrataCounts, SubdivideReport,
+};
 use crate::stages::context::Context;
 use crate::stages::field_notes::field_notes;
 use crate::stages::jumps::start_jumps;
 use crate::state::{RefineError, State};
+
+/// The share of its volume by which a body may change without a note.
+const WORTH_A_NOTE: f64 = 0.01;
 
 impl Subdivide {
     pub(in crate::stages) fn run(
@@ -40,6 +45,9 @@ impl Subdivide {
             report.add(level);
             clamped += more;
         }
+        let late = self.late_notes(&report.levels);
+        context.remark(&late);
+        report.notes.extend(late);
         report.fields = CarriedFields::of(state, self.clamp.then_some(clamped));
         Ok(report)
     }
@@ -60,9 +68,39 @@ impl Subdivide {
             }
         };
         let hierarchy = context.needed(state.mesh.levels())?;
-        let report = LevelReport::of_finest(hierarchy);
+        let limit = LimitFigures::of_finest(hierarchy, step);
+        let report = LevelReport { limit, ..LevelReport::of_finest(hierarchy) };
         let result = report.result();
         Ok(((report, clamped), result))
+    }
+
+    /// Notes about what only the levels tell, the one that the stage began with first.
+    fn late_notes(&self, levels: &[LevelReport]) -> Vec<String> {
+        let (first, last) = (&levels[0], &levels[levels.len() - 1]);
+        let mut notes = Vec::new();
+        if let (Some(before), Some(after)) = (first.volume, last.volume)
+            && last.interpolation.is_none()
+            && !self.scheme().keeps_vertices()
+            && (after / before - 1.0).abs() > WORTH_A_NOTE
+        {
+            let (percent, scheme) = (100.0 * (after / before - 1.0), self.scheme().name());
+            notes.push(format!(
+                "the volume changed by {percent:+.1} %, since the {scheme} scheme moves the \
+                 boundary; with `interpolate = true`, or unless false is given, the surface passes \
+                 through the vertices of the input"
+            ));
+        }
+        let at_limit = |level: &&LevelReport| {
+            level.interpolation.as_ref().is_some_and(|made| made.placement == AT_LIMIT)
+        };
+        if levels.iter().any(|level| at_limit(&level)) {
+            notes.push(
+                "walls are so thin that vertices go to the limit itself and the inside follows \
+                 the scheme: flat faces are not split linearly"
+                    .into(),
+            );
+        }
+        notes
     }
 
     /// Before any level is made: the last one is the one that does not fit.

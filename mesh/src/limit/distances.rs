@@ -58,7 +58,7 @@ impl Hierarchy {
         let lower = (0..points.len()).filter(|&v| strata.vertex_dimensions[v] < 3);
         let lower: Vec<usize> = lower.collect();
         let input_vertices = lower.partition_point(|&v| v < input.len());
-        let across = Across::new(&level.topology, &strata, &limits);
+        let across = Across::new(level.mesh.raw(), &level.topology, &strata, &limits);
         let away =
             |points: &[Vector3], v: usize| across.distance(v, subtract(points[v], limits[v]));
         let (largest, mean) = largest_and_mean(&lower, |v| away(points, v));

@@ -3,6 +3,7 @@
 use super::harmonic::extend;
 use super::place::along_normals;
 use super::solve;
+use super::strain::count_strained;
 use crate::core::control_points::{ControlPoints, Placement};
 use crate::core::edge_length::mean_edge_length;
 use crate::core::raw_mesh::{Features, RawMesh};
@@ -82,7 +83,9 @@ impl Step<'_> {
         let points = &self.coarse.points;
         let edge_length = mean_edge_length(points, topology);
         let rules = LimitRules { strata, topology, curve_ends };
-        let solved = solve::control_points(&rules, points, &strata.listed(), edge_length);
+        let listed = strata.listed();
+        let solved = solve::control_points(&rules, points, &listed, edge_length);
+        report.strained = count_strained(&rules, points, &listed, &solved.control_points);
         report.iterations = solved.iterations;
         report.residual = solved.residual;
         solved.control_points

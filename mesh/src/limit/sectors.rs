@@ -2,6 +2,7 @@
 
 use rayon::prelude::*;
 
+use super::error::LimitError;
 use crate::core::strata::Strata;
 use crate::core::topology::{NONE, Topology};
 
@@ -22,6 +23,10 @@ pub(super) struct Sector {
     pub reversed: bool,
     /// Whether the vertex is smooth but its triangles make more than one disc.
     pub touches: bool,
+    /// Whether the regular lattice has the same rules: a smooth vertex of
+    /// valence six, or a curve vertex with three triangles, whose missing
+    /// neighbours are mirrored (Wang's Equation 5.1).
+    pub regular: bool,
 }
 
 /// A corner of a triangle: its place in the sector that holds it.
@@ -42,14 +47,25 @@ pub(super) struct Sectors {
     offsets: Vec<u32>,
     neighbours: Vec<u32>,
     /// For each face its number among those of surfaces, or [`NONE`].
-    pub number_of: Vec<u32>,
+    number_of: Vec<u32>,
     /// The corners of the surface triangles.
-    pub corners: Vec<[CornerPlace; 3]>,
+    corners: Vec<[CornerPlace; 3]>,
 }
 
 impl Sectors {
     pub fn neighbours(&self, sector: usize) -> &[u32] {
         &self.neighbours[self.offsets[sector] as usize..self.offsets[sector + 1] as usize]
+    }
+
+    /// The corners of a face.
+    ///
+    /// # Errors
+    /// If there is no such face, or it is on no surface.
+    pub fn corners(&self, face: u32) -> Result<&[CornerPlace; 3], LimitError> {
+        let Some(&number) = self.number_of.get(face as usize) else {
+            return Err(LimitError::NoFace { face, faces: self.number_of.len() });
+        };
+        self.corners.get(number as usize).ok_or(LimitError::NotOnSurface { face })
     }
 
     pub fn new(topology: &Topology, strata: &Strata) -> Self {
@@ -96,24 +112,38 @@ impl Sectors {
         }
         self.offsets.push(self.neighbours.len() as u32);
         let reversed = steps[0].reversed;
-        let (along, fixed, touches) = ([NONE; 2], false, false);
-        self.sectors.push(Sector { vertex, along, fixed, closed, face, reversed, touches });
+        self.sectors.push(Sector {
+            vertex,
+            along: [NONE; 2],
+            fixed: false,
+            closed,
+            face,
+            reversed,
+            touches: false,
+            regular: false,
+        });
     }
 
     /// Which rule the vertex of the last sector follows.
     fn follow(&mut self, strata: &Strata) {
         let last = self.sectors.len() - 1;
         let ring = &self.neighbours[self.offsets[last] as usize..];
+        let (first, end) = (ring[0], ring[ring.len() - 1]);
         let sector = &mut self.sectors[last];
         let vertex = sector.vertex;
         match (strata.vertex_dimensions[vertex as usize], strata.curve_neighbours(vertex)) {
-            (1, &[p, q]) => sector.along = [p, q],
+            (1, &[p, q]) => {
+                sector.along = [p, q];
+                let is_border = [first, end] == [p, q] || [first, end] == [q, p];
+                sector.regular = is_border && !sector.closed && ring.len() == 4;
+            }
             (0 | 1, _) => sector.fixed = true,
             _ => {
-                let is_dart = !sector.closed && ring[0] == ring[ring.len() - 1];
+                let is_dart = !sector.closed && first == end;
                 let met = ring.len() - usize::from(is_dart);
                 let is_all = met == strata.surface_neighbours(vertex).len();
                 sector.touches = met < 3 || !is_all || !(sector.closed || is_dart);
+                sector.regular = sector.closed && met == 6 && !sector.touches;
             }
         }
     }
@@ -219,28 +249,4 @@ impl Walk {
         let place = self.triangles[other as usize].iter().position(|&v| v == vertex)?;
         Some(3 * other + place as u32)
     }
-}
-
-/// Whether each surface triangle a < b < c is counter-clockwise seen from the
-/// side that its normal points to: out of its first tet, or as it is where it
-/// has none; out of the smaller region where it separates two.
-pub(super) fn flipped(topology: &Topology, tets: &[[u32; 4]], regions: &[i32], face: u32) -> bool {
-    let [first, second] = topology.face_tets()[face as usize];
-    let region = |tet: u32| regions[tet as usize];
-    let out_of = match (first, second) {
-        (NONE, _) => return false,
-        (_, NONE) => first,
-        _ if region(first) == region(second) => return false,
-        _ if region(second) < region(first) => second,
-        _ => first,
-    };
-    !is_outward(topology.faces()[face as usize], &tets[out_of as usize])
-}
-
-/// Whether a face of a positively oriented tet is counter-clockwise from outside.
-fn is_outward(face: [u32; 3], tet: &[u32; 4]) -> bool {
-    crate::core::reference_tet::FACES.iter().any(|local| {
-        let outward = local.map(|v| tet[v]);
-        (0..3).any(|turn| face == [0, 1, 2].map(|i| outward[(i + turn) % 3]))
-    })
 }

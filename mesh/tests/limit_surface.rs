@@ -51,7 +51,7 @@ fn assert_agrees(body: &Body, random: &mut Random, paths: usize, depth: usize) {
                 "face {face} at {uv:?}: {found:?}, not {limit:?}"
             );
             let point = surface.evaluate((face, uv)).unwrap();
-            assert!(distance(point.position, found) < 1e-15);
+            assert_eq!(point.position, found);
         }
     }
 }

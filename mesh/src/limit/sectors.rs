@@ -18,9 +18,11 @@ pub(super) struct Sector {
     /// Whether the sector goes all round.
     pub closed: bool,
     /// The face with which it begins, and whether it runs against that face's
-    /// order of corners.
+    /// order of corners; whether that order is clockwise seen from where the
+    /// normal points to.
     pub face: u32,
     pub reversed: bool,
+    pub flipped: bool,
     /// Whether the vertex is smooth but its triangles make more than one disc.
     pub touches: bool,
     /// Whether the regular lattice has the same rules: a smooth vertex of
@@ -50,6 +52,8 @@ pub(super) struct Sectors {
     number_of: Vec<u32>,
     /// The corners of the surface triangles.
     corners: Vec<[CornerPlace; 3]>,
+    /// Whether each of them is clockwise seen from where its normal points to.
+    flipped: Vec<bool>,
 }
 
 impl Sectors {
@@ -68,7 +72,19 @@ impl Sectors {
         self.corners.get(number as usize).ok_or(LimitError::NotOnSurface { face })
     }
 
-    pub fn new(topology: &Topology, strata: &Strata) -> Self {
+    /// Whether a face of a surface is clockwise seen from where its normal points
+    /// to.
+    pub fn is_flipped(&self, face: u32) -> bool {
+        self.flipped[self.number_of[face as usize] as usize]
+    }
+
+    /// The sectors of all surfaces; `is_flipped` tells whether a face is
+    /// clockwise seen from the side that its normal points to.
+    pub fn new(
+        topology: &Topology,
+        strata: &Strata,
+        is_flipped: impl Fn(u32) -> bool + Sync,
+    ) -> Self {
         let mut number_of = vec![NONE; topology.faces().len()];
         let on_surface: Vec<u32> =
             (0..number_of.len() as u32).filter(|&f| strata.is_surface[f as usize]).collect();
@@ -86,13 +102,14 @@ impl Sectors {
             neighbours: Vec::new(),
             number_of,
             corners: vec![[unset; 3]; on_surface.len()],
+            flipped: on_surface.par_iter().map(|&face| is_flipped(face)).collect(),
         };
         let mut steps = Vec::new();
         for [vertex, corner] in by_vertex {
             if all.corners[corner as usize / 3][corner as usize % 3].sector == NONE {
                 let closed = walk.round(corner, &mut steps);
-                let begins = steps[0].corner as usize / 3;
-                all.push(vertex, &steps, closed, on_surface[begins]);
+                let face = on_surface[steps[0].corner as usize / 3];
+                all.push([vertex, face], &steps, closed);
                 all.follow(strata);
             }
         }
@@ -100,7 +117,7 @@ impl Sectors {
     }
 
     /// Takes in a sector from the corners that were met going through it.
-    fn push(&mut self, vertex: u32, steps: &[Step], closed: bool, face: u32) {
+    fn push(&mut self, [vertex, face]: [u32; 2], steps: &[Step], closed: bool) {
         let sector = self.sectors.len() as u32;
         for (at, step) in (0u32..).zip(steps) {
             let (triangle, slot) = (step.corner as usize / 3, step.corner as usize % 3);
@@ -111,14 +128,14 @@ impl Sectors {
             self.neighbours.extend(steps.last().map(|step| step.leaves));
         }
         self.offsets.push(self.neighbours.len() as u32);
-        let reversed = steps[0].reversed;
         self.sectors.push(Sector {
             vertex,
             along: [NONE; 2],
             fixed: false,
             closed,
             face,
-            reversed,
+            reversed: steps[0].reversed,
+            flipped: self.flipped[steps[0].corner as usize / 3],
             touches: false,
             regular: false,
         });

@@ -28,8 +28,6 @@ pub type Place = (u32, [f64; 2]);
 /// may be others than the mesh's own (virtual control points).
 #[derive(Debug, Clone)]
 pub struct LimitSurface<'a> {
-    topology: &'a Topology,
-    mesh: &'a RawMesh,
     controls: Controls<'a>,
 }
 
@@ -50,8 +48,8 @@ impl<'a> LimitSurface<'a> {
     /// # Errors
     /// If the points are not as many as the vertices.
     pub fn new(
-        mesh: &'a RawMesh,
-        topology: &'a Topology,
+        mesh: &RawMesh,
+        topology: &Topology,
         strata: &Strata,
         points: &'a [Vector3],
     ) -> Result<Self, LimitError> {
@@ -59,8 +57,10 @@ impl<'a> LimitSurface<'a> {
         if points.len() != vertices {
             return Err(LimitError::Points { points: points.len(), vertices });
         }
-        let sectors = Sectors::new(topology, strata);
-        Ok(Self { topology, mesh, controls: Controls { points, sectors } })
+        let sectors = Sectors::new(topology, strata, |face| {
+            flipped(topology, &mesh.tets, &mesh.regions, face)
+        });
+        Ok(Self { controls: Controls { points, sectors } })
     }
 
     /// The limit position at a place, in mesh units.
@@ -85,8 +85,9 @@ impl<'a> LimitSurface<'a> {
     /// # Errors
     /// As [`Self::position`].
     pub fn evaluate(&self, place: Place) -> Result<SurfacePoint, LimitError> {
-        let flip = self.is_flipped(place.0);
-        Ok(match descend(self.ring(place)?, place.1) {
+        let ring = self.ring(place)?;
+        let flip = self.controls.sectors.is_flipped(place.0);
+        Ok(match descend(ring, place.1) {
             Reached::Patch(patch) => {
                 let point = spline_patch::with_derivatives(&patch.controls, patch.uv);
                 let first = point.first.map(|d| scale(patch.scale, d));
@@ -130,9 +131,9 @@ impl<'a> LimitSurface<'a> {
         let numbers = 0..sectors.len() as u32;
         let whole: Vec<u32> = numbers.filter(|&s| !sectors[s as usize].touches).collect();
         let limits = whole.into_par_iter().with_min_len(1_024).map(|number| {
-            let Sector { vertex, face, .. } = sectors[number as usize];
+            let Sector { vertex, face, flipped, .. } = sectors[number as usize];
             let mut limit = self.controls.sector_limit(number);
-            limit.normal = oriented(limit.normal, self.is_flipped(face));
+            limit.normal = oriented(limit.normal, flipped);
             SectorLimit { vertex, face, limit }
         });
         limits.collect()
@@ -145,10 +146,6 @@ impl<'a> LimitSurface<'a> {
         let mut vertices: Vec<u32> = sectors.map(|sector| sector.vertex).collect();
         vertices.dedup();
         vertices
-    }
-
-    fn is_flipped(&self, face: u32) -> bool {
-        flipped(self.topology, &self.mesh.tets, &self.mesh.regions, face)
     }
 
     /// The ring of a triangle, if the place is a place.

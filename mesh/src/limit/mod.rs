@@ -12,5 +12,6 @@ mod sectors;
 mod side;
 mod spline_patch;
 pub mod surface;
+mod walk;
 
 pub use error::LimitError;

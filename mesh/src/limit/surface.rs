@@ -26,6 +26,21 @@ pub type Place = (u32, [f64; 2]);
 ///
 /// Surfaces are cut along curves: a triangle reads its own side only. Points
 /// may be others than the mesh's own (virtual control points).
+///
+/// ```
+/// use octruss_mesh::{FeatureOptions, Strata, Topology, limit::surface::LimitSurface};
+/// use octruss_mesh::{prepare, shapes};
+///
+/// let mesh = prepare(shapes::kuhn_cube(2), &FeatureOptions::default());
+/// let topology = Topology::new(mesh.raw());
+/// let strata = Strata::new(mesh.raw(), &topology, mesh.features().unwrap());
+/// let surface = LimitSurface::new(mesh.raw(), &topology, &strata, mesh.points())?;
+/// let face = (0..).find(|&face| strata.is_surface[face as usize]).unwrap();
+/// let point = surface.evaluate((face, [0.25, 0.5]))?;
+/// // The faces of a cube are flat.
+/// assert!(point.curvatures.unwrap()[1].abs() < 1e-9);
+/// # Ok::<(), octruss_mesh::limit::LimitError>(())
+/// ```
 #[derive(Debug, Clone)]
 pub struct LimitSurface<'a> {
     controls: Controls<'a>,

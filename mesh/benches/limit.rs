@@ -1,14 +1,15 @@
 //! Limit surfaces: positions and all that is known of a point on one core, and
-//! the masks of all vertices on all cores.
+//! the masks of all vertices, on surfaces and inside, on all cores.
 
 use std::f64::consts::TAU;
 
 use criterion::{Criterion, Throughput, criterion_group, criterion_main};
-use octruss_mesh::analysis::stars;
+use octruss_mesh::analysis::{solid_limit_matrix, stars};
 use octruss_mesh::limit::surface::{LimitSurface, Place};
 use octruss_mesh::reference_tet::six_volumes;
 use octruss_mesh::{
-    CheckOptions, FeatureOptions, RawMesh, Strata, TetMesh, Topology, check, prepare, shapes,
+    CheckOptions, FeatureOptions, RawMesh, Scheme, Strata, TetMesh, Topology, check, prepare,
+    shapes,
 };
 
 /// A ring with teeth: blocks of a polar grid, each split into six tets.
@@ -107,5 +108,45 @@ fn vertices(c: &mut Criterion) {
     group.finish();
 }
 
-criterion_group!(benches, limits, vertices);
+fn solids(c: &mut Criterion) {
+    let mut group = c.benchmark_group("solid");
+    group.sample_size(10);
+    for (name, mesh) in [("regular", shapes::kuhn_cube(30)), ("irregular", irregular())] {
+        let topology = Topology::new(mesh.raw());
+        group.throughput(Throughput::Elements(mesh.points().len() as u64));
+        group.bench_function(name, |b| {
+            b.iter(|| solid_limit_matrix(&mesh, &topology, Scheme::BoxSpline));
+        });
+    }
+    group.finish();
+}
+
+/// Blocks of five tets, where no vertex inside is regular.
+fn irregular() -> TetMesh {
+    let n = 30;
+    let number = |at: [u32; 3]| (at[2] * (n + 1) + at[1]) * (n + 1) + at[0];
+    let places =
+        || (0..=n).flat_map(move |k| (0..=n).flat_map(move |j| (0..=n).map(move |i| [i, j, k])));
+    let points = places().map(|at| at.map(f64::from)).collect();
+    let mut tets = Vec::new();
+    for at in places().filter(|at| at.iter().all(|&x| x < n)) {
+        // Neighbours are mirror images of each other.
+        let mirror = (at[0] + at[1] + at[2]) % 2;
+        for tet in [[0, 6, 5, 3], [1, 0, 5, 3], [2, 0, 3, 6], [4, 0, 6, 5], [7, 3, 5, 6]] {
+            let corner = |v: u32| {
+                number([at[0] + ((v ^ mirror) & 1), at[1] + (v >> 1 & 1), at[2] + (v >> 2)])
+            };
+            let mut tet = tet.map(corner);
+            if mirror == 1 {
+                tet.swap(1, 3);
+            }
+            tets.push(tet);
+        }
+    }
+    let regions = vec![0; tets.len()];
+    let raw = RawMesh { points, tets, regions, ..RawMesh::default() };
+    check(raw, &CheckOptions::default()).expect("a sound mesh").mesh
+}
+
+criterion_group!(benches, limits, vertices, solids);
 criterion_main!(benches);

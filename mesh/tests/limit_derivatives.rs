@@ -7,7 +7,7 @@ use common::random_block::Random;
 use octruss_base::vector3::{Vector3, add, dot3, length, scale, subtract};
 use octruss_mesh::analysis::stars;
 use octruss_mesh::limit::surface::LimitSurface;
-use octruss_mesh::{FeatureOptions, prepare, shapes};
+use octruss_mesh::{CheckOptions, FeatureOptions, check, prepare, shapes};
 
 /// A place in the middle child, where the surface is a polynomial, drawn
 /// `depth` times half the way towards a corner.
@@ -171,4 +171,38 @@ fn masks_are_the_limits_of_normals() {
         }
     }
     assert!(kinds[1] > 20 && kinds[2] > 15 && kinds[3] > 20, "{kinds:?}");
+}
+
+/// At the corners and curves of an L-shaped block, with corners of a quarter, a
+/// half and three quarters of a turn, every sector is flat.
+#[test]
+fn sectors_of_an_angular_block_have_the_normals_of_its_faces() {
+    let mut raw = shapes::kuhn_cube(4).into_raw();
+    let middle = |tet: &[u32; 4], k: usize| {
+        tet.iter().map(|&v| raw.points[v as usize][k]).sum::<f64>() / 4.0
+    };
+    raw.tets =
+        raw.tets.iter().copied().filter(|t| middle(t, 0) < 0.5 || middle(t, 1) < 0.5).collect();
+    raw.regions.truncate(raw.tets.len());
+    (raw.triangles, raw.groups) = Default::default();
+    let mesh = check(raw, &CheckOptions::default()).unwrap().mesh;
+    let body = Body::new(prepare(mesh, &FeatureOptions::default()).into_raw());
+    let limits = body.surface().sector_limits();
+    let mut corners = 0;
+    for sector in &limits {
+        let point = |v: u32| body.mesh.points[v as usize];
+        let [a, b, c] = body.topology.faces()[sector.face as usize].map(point);
+        let wall = (0..3).find(|&k| a[k] == b[k] && b[k] == c[k]).unwrap();
+        let normal = sector.limit.normal.unwrap();
+        // Out of the tet at the face.
+        let tet = body.topology.face_tets()[sector.face as usize][0];
+        let inner: f64 =
+            body.mesh.tets[tet as usize].iter().map(|&v| point(v)[wall] - a[wall]).sum();
+        let outward = -inner.signum();
+        assert!((normal[wall] - outward).abs() < 1e-13, "{sector:?}");
+        assert!(distance(sector.limit.position, point(sector.vertex)) < 1e-15);
+        corners += usize::from(body.strata.vertex_dimensions[sector.vertex as usize] == 0);
+    }
+    // Twelve corners of three faces each.
+    assert_eq!(corners, 36);
 }

@@ -9,7 +9,7 @@ use common::slow_surface::SlowSurface;
 use octruss_mesh::analysis::stars;
 use octruss_mesh::limit::{LimitError, surface::LimitSurface};
 use octruss_mesh::{
-    CheckOptions, FeatureOptions, Features, Hierarchy, Scheme, check, prepare, shapes,
+    CheckOptions, FeatureOptions, Features, Hierarchy, RawMesh, Scheme, check, prepare, shapes,
 };
 use proptest::prelude::*;
 
@@ -51,7 +51,7 @@ fn assert_agrees(body: &Body, random: &mut Random, paths: usize, depth: usize) {
                 "face {face} at {uv:?}: {found:?}, not {limit:?}"
             );
             let point = surface.evaluate((face, uv)).unwrap();
-            assert!(distance(point.position, found) < 1e-15);
+            assert_eq!(point.position, found);
         }
     }
 }
@@ -159,4 +159,28 @@ fn wrong_places_are_refused_with_one_message() {
     let few = &body.mesh.points[1..];
     let refused = LimitSurface::new(&body.mesh, &body.topology, &body.strata, few);
     assert_eq!(refused.err(), Some(LimitError::Points { points: 26, vertices: 27 }));
+}
+
+#[test]
+fn a_smooth_vertex_at_which_surfaces_touch_is_named() {
+    let points = [[0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
+    let mirrored = points[1..].iter().map(|p| p.map(|x| -x));
+    let mut mesh = RawMesh {
+        points: points.iter().copied().chain(mirrored).collect(),
+        tets: vec![[0, 1, 2, 3], [0, 5, 4, 6]],
+        regions: vec![0; 2],
+        features: Some(Features::default()),
+        ..RawMesh::default()
+    };
+    let body = Body::new(mesh.clone());
+    let surface = body.surface();
+    let [beside, away] = [[0, 1, 2], [1, 2, 3]].map(|face| body.topology.face_of(face).unwrap());
+    assert_eq!(surface.touching(), [0]);
+    assert_eq!(surface.position((beside, [0.3, 0.3])), Err(LimitError::NotADisc { vertex: 0 }));
+    assert!(surface.position((away, [0.3, 0.3])).is_ok());
+    assert!(surface.sector_limits().iter().all(|limit| limit.vertex != 0));
+    // As the message says.
+    mesh.features.as_mut().unwrap().corners.push(0);
+    let body = Body::new(mesh);
+    assert!(body.surface().position((beside, [0.3, 0.3])).is_ok());
 }

@@ -22,6 +22,8 @@ pub struct CornerLimit {
 
 /// Products of tangents smaller than this part of their lengths are zero.
 const PARALLEL: f64 = 1e-10;
+/// sin(2π/6) = √3/2.
+const SINE_OF_A_SIXTH: f64 = 0.866_025_403_784_438_6;
 /// Steps of an iteration for eigenvectors without closed form, at most.
 const STEPS: usize = 1_000;
 
@@ -32,7 +34,9 @@ impl CornerLimit {
         let (first, last) = (ring[0], ring[ring.len() - 1]);
         match fan.rule {
             FanRule::Smooth if fan.closed => {
-                Self::with(smooth_position(ring, centre), smooth_tangents(ring))
+                let mut limit = Self::smooth(ring.iter().map(|&p| subtract(p, centre)), ring.len());
+                limit.position = add(centre, limit.position);
+                limit
             }
             FanRule::Smooth => dart(fan, centre),
             FanRule::Curve(ends) => {
@@ -52,6 +56,23 @@ impl CornerLimit {
         }
     }
 
+    /// At a smooth vertex with a ring of n neighbours, given as differences from
+    /// it, as the position is: ½ and 1/(2 n), or for n = 3 neighbours 2/5 and
+    /// 1/5 (Loop's rule with Warren's weights). The tangents are eigenvectors of
+    /// 3/8 + ¼ cos(2π/n), whatever the vertex weighs.
+    #[inline]
+    pub(super) fn smooth(ring: impl Iterator<Item = Vector3>, n: usize) -> Self {
+        let [sum, cosine, sine] = waves(ring, n);
+        let share = if n == 3 { 0.6 } else { 0.5 };
+        Self::with(scale(share / n as f64, sum), [cosine, sine])
+    }
+
+    /// Looks from the other side.
+    pub(super) fn reverse(&mut self) {
+        self.tangents[1] = self.tangents[1].map(|x| -x);
+        self.normal = self.normal.map(|normal| normal.map(|x| -x));
+    }
+
     fn with(position: Vector3, tangents: [Vector3; 2]) -> Self {
         Self { position, tangents, normal: unit_normal(tangents) }
     }
@@ -65,28 +86,27 @@ pub(super) fn unit_normal(tangents: [Vector3; 2]) -> Option<Vector3> {
     is_clear.then(|| scale(1.0 / size, product))
 }
 
-/// ½ and 1/(2 n), or for n = 3 neighbours 2/5 and 1/5 (Loop's rule with
-/// Warren's weights).
-fn smooth_position(ring: &[Vector3], centre: Vector3) -> Vector3 {
-    let share = if ring.len() == 3 { 0.6 } else { 0.5 };
-    let mean = scale(1.0 / ring.len() as f64, sum(ring));
-    add(centre, scale(share, subtract(mean, centre)))
-}
-
-/// Σ cos(2πj/n) x_j and Σ sin(2πj/n) x_j: the eigenvectors of
-/// 3/8 + ¼ cos(2π/n), whatever the vertex weighs.
-fn smooth_tangents(ring: &[Vector3]) -> [Vector3; 2] {
-    let (sine, cosine) = match ring.len() {
-        6 => (0.75f64.sqrt(), 0.5),
+/// Σ x_j, Σ cos(2πj/n) x_j and Σ sin(2πj/n) x_j.
+#[inline]
+fn waves(ring: impl Iterator<Item = Vector3>, n: usize) -> [Vector3; 3] {
+    let (sine, cosine) = match n {
+        6 => (SINE_OF_A_SIXTH, 0.5),
         n => (TAU / n as f64).sin_cos(),
     };
-    let mut turn = [1.0, 0.0];
-    let mut tangents = [[0.0; 3]; 2];
-    for &point in ring {
-        tangents = [0, 1].map(|i| add(tangents[i], scale(turn[i], point)));
-        turn = [cosine * turn[0] - sine * turn[1], sine * turn[0] + cosine * turn[1]];
+    let mut turn = [1.0, 1.0, 0.0];
+    let mut sums = [[0.0; 3]; 3];
+    for point in ring {
+        for (sum, factor) in sums.iter_mut().zip(turn) {
+            *sum = add(*sum, scale(factor, point));
+        }
+        turn = [1.0, cosine * turn[1] - sine * turn[2], sine * turn[1] + cosine * turn[2]];
     }
-    tangents
+    sums
+}
+
+fn smooth_tangents(ring: &[Vector3]) -> [Vector3; 2] {
+    let [_, cosine, sine] = waves(ring.iter().copied(), ring.len());
+    [cosine, sine]
 }
 
 /// Along the curve, and across it into the sector of k triangles: for k > 1 the

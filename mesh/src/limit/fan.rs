@@ -99,23 +99,6 @@ impl Fan {
         Self { rule, closed: self.closed, at: self.at, points }
     }
 
-    /// The six neighbours from the triangle's next corner on, if the regular
-    /// lattice has the same rules: a smooth vertex of valence six, or a curve
-    /// vertex with three triangles, whose missing neighbours are mirrored
-    /// (Wang's Equation 5.1).
-    pub fn hexagon(&self, centre: Vector3) -> Option<[Vector3; 6]> {
-        let p = &self.points[..];
-        let all = match (self.rule, self.closed, p.len()) {
-            (FanRule::Smooth, true, 6) => [p[0], p[1], p[2], p[3], p[4], p[5]],
-            (FanRule::Curve(ends), false, 4) if ends == [p[0], p[3]] || ends == [p[3], p[0]] => {
-                let mirrored = |on_curve, inner| subtract(add(centre, on_curve), inner);
-                [p[0], p[1], p[2], p[3], mirrored(p[3], p[2]), mirrored(p[0], p[1])]
-            }
-            _ => return None,
-        };
-        Some(std::array::from_fn(|step| all[(self.at + step) % 6]))
-    }
-
     /// Takes a vector off all points.
     pub fn shift(&mut self, origin: Vector3) {
         self.points.iter_mut().for_each(|p| *p = subtract(*p, origin));

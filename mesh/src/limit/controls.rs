@@ -7,7 +7,7 @@ use octruss_base::vector3::{Vector3, add, subtract};
 use super::corner::CornerLimit;
 use super::error::LimitError;
 use super::fan::{Fan, FanRule};
-use super::ring::{Ring, Surroundings};
+use super::patches::ring::{Ring, Surroundings};
 use super::sectors::{CornerPlace, Sector, Sectors};
 use crate::core::topology::NONE;
 

@@ -4,16 +4,14 @@ mod across;
 mod controls;
 pub mod corner;
 pub mod curve;
-mod descent;
 pub mod distances;
 mod error;
 mod fan;
+mod patches;
 pub mod point;
 pub mod positions;
-mod ring;
 mod sectors;
 mod side;
-mod spline_patch;
 pub mod surface;
 mod walk;
 

@@ -6,13 +6,13 @@ use rayon::prelude::*;
 
 use super::controls::Controls;
 use super::corner::CornerLimit;
-use super::descent::{Reached, descend};
 use super::error::LimitError;
+use super::patches::descent::{Reached, descend};
+use super::patches::ring::Ring;
+use super::patches::spline_patch;
 use super::point::{SurfacePoint, oriented};
-use super::ring::Ring;
 use super::sectors::{Sector, Sectors};
 use super::side::flipped;
-use super::spline_patch;
 use crate::core::raw_mesh::RawMesh;
 use crate::core::strata::Strata;
 use crate::core::topology::Topology;

@@ -76,16 +76,21 @@ pub struct InterpolationFigures {
     /// The largest distance, in mesh units, by which the guard pulled a boundary vertex from
     /// where the limit had put it.
     pub left_to_limit: f64,
+    /// How many vertices have a neighbour whose control point is moved against theirs by more than
+    /// the two are apart: there the smooth surface has wiggles.
+    #[serde(default)]
+    pub strained: usize,
 }
 
 impl From<InterpolationReport> for InterpolationFigures {
     fn from(report: InterpolationReport) -> Self {
-        let InterpolationReport { iterations, residual, placement, left_to_limit } = report;
+        let InterpolationReport { iterations, residual, placement, left_to_limit, strained } =
+            report;
         let placement = match placement {
             Placement::AlongNormals => "along-normals",
             Placement::AtLimit => AT_LIMIT,
         };
-        Self { iterations, residual, placement: placement.into(), left_to_limit }
+        Self { iterations, residual, placement: placement.into(), left_to_limit, strained }
     }
 }
 

@@ -10,7 +10,7 @@ use octruss_base::vector3::{Vector3, add, scale};
 /// Row by row the points are those of Wang's Equation 2.20:
 /// (0, 0), (1, 0), (0, 1), (1, 1), (0, 2), (−1, 2), (−1, 1), (−1, 0), (0, −1),
 /// (1, −1), (2, −1), (2, 0).
-pub(super) type Patch = [Vector3; 12];
+pub(in crate::limit) type Patch = [Vector3; 12];
 
 /// The coefficients of each monomial, a row for each, a column for each control
 /// point, times 12 (Wang's thesis, Equation 2.20, transposed).
@@ -35,7 +35,7 @@ const COEFFICIENTS: [[f64; 12]; 15] = [
 
 /// The value and the derivatives of a patch, in its own coordinates.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct PatchPoint {
+pub(in crate::limit) struct PatchPoint {
     pub value: Vector3,
     /// ∂u and ∂v.
     pub first: [Vector3; 2],
@@ -45,12 +45,12 @@ pub(super) struct PatchPoint {
 
 /// The point at (u, v).
 #[inline]
-pub(super) fn value(patch: &Patch, [u, v]: [f64; 2]) -> Vector3 {
+pub(in crate::limit) fn value(patch: &Patch, [u, v]: [f64; 2]) -> Vector3 {
     combine(patch, monomials(u, v))
 }
 
 /// The point at (u, v) with first and second derivatives.
-pub(super) fn with_derivatives(patch: &Patch, [u, v]: [f64; 2]) -> PatchPoint {
+pub(in crate::limit) fn with_derivatives(patch: &Patch, [u, v]: [f64; 2]) -> PatchPoint {
     let (uu, uv, vv) = (u * u, u * v, v * v);
     let by_u = [
         0.0,

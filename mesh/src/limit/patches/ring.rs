@@ -2,13 +2,13 @@
 
 use octruss_base::vector3::{Vector3, add, scale, subtract};
 
-use super::fan::Fan;
 use super::spline_patch::Patch;
+use crate::limit::fan::Fan;
 
 /// What lies round a corner of a triangle, from the triangle's next corner on,
 /// counter-clockwise.
 #[derive(Debug, Clone)]
-pub(super) enum Surroundings {
+pub(in crate::limit) enum Surroundings {
     /// Six neighbours of the regular lattice, some of them perhaps mirrored.
     Regular([Vector3; 6]),
     /// Anything else.
@@ -21,7 +21,7 @@ pub(super) enum Surroundings {
 /// Points are differences from an origin that goes with the triangle, so that
 /// what is small stays exact however deep the recursion is.
 #[derive(Debug, Clone)]
-pub(super) struct Ring {
+pub(in crate::limit) struct Ring {
     pub origin: Vector3,
     pub corners: [Vector3; 3],
     /// Those of corner i count from corner i + 1.
@@ -145,7 +145,7 @@ impl Ring {
 }
 
 /// The control points of a triangle with regular corners.
-pub(super) fn patch([a, b, c]: [Vector3; 3], round: [&[Vector3; 6]; 3]) -> Patch {
+pub(in crate::limit) fn patch([a, b, c]: [Vector3; 3], round: [&[Vector3; 6]; 3]) -> Patch {
     let [at_a, at_b, at_c] = round;
     [a, b, c, at_b[5], at_c[3], at_c[4], at_a[2], at_a[3], at_a[4], at_a[5], at_b[3], at_b[4]]
 }

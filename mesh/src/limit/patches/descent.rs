@@ -2,22 +2,22 @@
 
 use octruss_base::vector3::Vector3;
 
-use super::fan::Fan;
 use super::ring::{Ring, Surroundings};
 use super::spline_patch::Patch;
+use crate::limit::fan::Fan;
 
 /// How near a corner (u, v) is the corner itself: there even the slowest
 /// eigenvalue, 5/8, has brought all points together in double precision.
 const AT_CORNER: f64 = 1.0 / (1u128 << 127) as f64;
 
 /// What a recursion ends in.
-pub(super) enum Reached {
+pub(in crate::limit) enum Reached {
     Patch(SubPatch),
     Corner(SubCorner),
 }
 
 /// A regular patch inside a triangle.
-pub(super) struct SubPatch {
+pub(in crate::limit) struct SubPatch {
     pub origin: Vector3,
     pub controls: Patch,
     pub uv: [f64; 2],
@@ -26,7 +26,7 @@ pub(super) struct SubPatch {
 }
 
 /// An extraordinary corner of a triangle inside a triangle.
-pub(super) struct SubCorner {
+pub(in crate::limit) struct SubCorner {
     pub origin: Vector3,
     pub centre: Vector3,
     pub fan: Fan,
@@ -35,7 +35,7 @@ pub(super) struct SubCorner {
 /// Subdivides a ring towards a place until that lies in a regular patch
 /// (Wang's Table 5-1, without its end at a fixed depth).
 #[inline]
-pub(super) fn descend(ring: Ring, uv: [f64; 2]) -> Reached {
+pub(in crate::limit) fn descend(ring: Ring, uv: [f64; 2]) -> Reached {
     let origin = ring.origin;
     match ring.patch() {
         Some(controls) => Reached::Patch(SubPatch { origin, controls, uv, scale: 1.0 }),

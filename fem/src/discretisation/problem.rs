@@ -14,7 +14,7 @@ use crate::problem::elasticity::Elasticity;
 use crate::problem::poisson::Poisson;
 use crate::problem::scalar::Scalar;
 use crate::reference::difference::Difference;
-use octruss_mesh::{Hierarchy, Level, Scheme};
+use octruss_mesh::{Hierarchy, InterpolationReport, Level, Placement, Refinement, Scheme};
 use octruss_solver::{Csr, NearNullSpace};
 use std::borrow::Cow;
 
@@ -156,10 +156,17 @@ impl Problem for Elasticity {
     }
 
     /// Box splines where a smooth scheme shaped the body, since linear interpolation does not
-    /// reproduce rotations there; linear on flat refinements, where it does.
+    /// reproduce rotations there; linear on flat refinements, where it does, and where only new
+    /// boundary vertices left the midpoints of their edges, where it nearly does.
     fn usual_prolongation(&self, hierarchy: &Hierarchy) -> Prolongations {
-        let is_flat = hierarchy.refinements().all(|made| made.scheme == Scheme::Linear);
-        let scheme = if is_flat { Scheme::Linear } else { Scheme::BoxSpline };
+        let follows_midpoints = |made: &Refinement| {
+            let along_normals = |report: InterpolationReport| {
+                report.placement == Placement::AlongNormals
+            };
+            made.scheme == Scheme::Linear || made.interpolation.is_some_and(along_normals)
+        };
+        let is_nearly_flat = hierarchy.refinements().all(follows_midpoints);
+        let scheme = if is_nearly_flat { Scheme::Linear } else { Scheme::BoxSpline };
         scheme.into()
     }
 

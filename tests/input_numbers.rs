@@ -136,6 +136,7 @@ fn corners_and_creases_asked_for_are_those_of_the_file() {
     write(&folder.path().join("cube.vtu"), &Dataset { mesh, ..Dataset::default() }).unwrap();
     let stage = format!(
         "[[stage]]\nkind = \"subdivide\"\ncrease-angle = 180\nmin-quality = \"off\"\n\
+         interpolate = false\n\
          extra-corners = [{corner}]\nextra-creases = [[{to}, {from}]]"
     );
     run(folder.path(), "cube.vtu", &stage);

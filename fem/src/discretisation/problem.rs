@@ -160,9 +160,8 @@ impl Problem for Elasticity {
     /// boundary vertices left the midpoints of their edges, where it nearly does.
     fn usual_prolongation(&self, hierarchy: &Hierarchy) -> Prolongations {
         let follows_midpoints = |made: &Refinement| {
-            let along_normals = |report: InterpolationReport| {
-                report.placement == Placement::AlongNormals
-            };
+            let along_normals =
+                |report: InterpolationReport| report.placement == Placement::AlongNormals;
             made.scheme == Scheme::Linear || made.interpolation.is_some_and(along_normals)
         };
         let is_nearly_flat = hierarchy.refinements().all(follows_midpoints);

@@ -44,6 +44,15 @@ impl Step {
         self.interpolate && !self.scheme.keeps_vertices()
     }
 
+    /// Whether some weights may be negative, so that values may leave the range of their
+    /// stencil: those of some schemes, of parabolas, and of rows made exact for points on
+    /// a surface that was not theirs.
+    pub fn overshoots(&self) -> bool {
+        let keeps = self.scheme.keeps_vertices();
+        let changes = self.interpolate || self.resolved_curve_ends() == CurveEnds::Parabola;
+        self.scheme.overshoots() || (!keeps && changes)
+    }
+
     /// The rule at the ends of curves, chosen or implied.
     pub fn resolved_curve_ends(&self) -> CurveEnds {
         self.curve_ends.unwrap_or(match self.interpolate {

@@ -51,7 +51,7 @@ impl Subdivide {
                 ));
             }
         }
-        if self.clamp && !self.scheme().overshoots() {
+        if self.clamp && !self.step(mesh).overshoots() {
             notes.push(format!(
                 "no weight of the {} scheme is negative: clamp without effect",
                 self.scheme().name()

@@ -6,6 +6,7 @@ pub mod control_points;
 pub mod edge_length;
 pub mod hilbert;
 pub mod locality;
+pub(crate) mod mirrors;
 pub mod raw_mesh;
 pub mod reference_tet;
 pub mod shapes;

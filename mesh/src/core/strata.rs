@@ -7,10 +7,14 @@
 
 use rayon::prelude::*;
 
+use crate::core::mirrors::Unfolded;
 use crate::core::raw_mesh::{Features, RawMesh};
 use crate::core::topology::{NONE, Topology};
 
 /// For every vertex and edge the dimension of its stratum, and the neighbours there.
+///
+/// Strata go on across mirror planes, which belong to none: a neighbour there is listed
+/// as the vertex that it is the image of, so that one may be listed twice.
 #[derive(Debug, Clone)]
 pub struct Strata {
     /// 0 fixed, 1 curve, 2 surface, 3 solid, for each vertex.
@@ -33,6 +37,42 @@ pub struct Strata {
 impl Strata {
     /// Sorts vertices and edges into strata, given the features found before.
     pub fn new(mesh: &RawMesh, topology: &Topology, features: &Features) -> Self {
+        let unfolded = Unfolded::with_features(mesh, topology, features);
+        match unfolded.has_mirrors() {
+            false => Self::without_mirrors(mesh, topology, features),
+            true => Self::unfolded(&unfolded).folded(topology, &unfolded),
+        }
+    }
+
+    /// The strata of an unfolded mesh.
+    pub(crate) fn unfolded(unfolded: &Unfolded) -> Self {
+        let smooth = Features::default();
+        let features = unfolded.mesh.features.as_ref().unwrap_or(&smooth);
+        Self::without_mirrors(&unfolded.mesh, &unfolded.topology, features)
+    }
+
+    /// Those of a mesh that was unfolded.
+    fn folded(self, topology: &Topology, unfolded: &Unfolded) -> Self {
+        let original = |v: u32| unfolded.original(v);
+        let each_edge = || (0..unfolded.edges()).map(|edge| unfolded.edge(edge));
+        let vertices: Vec<u32> = (0..unfolded.vertices() as u32).collect();
+        let edges: Vec<u32> = each_edge().collect();
+        let face = |&face: &[u32; 3]| {
+            let face = unfolded.topology.face_of(face).expect("a face stays one");
+            self.is_surface[face as usize]
+        };
+        Self {
+            edge_dimensions: each_edge().map(|edge| self.edge_dimensions[edge as usize]).collect(),
+            is_surface: topology.faces().par_iter().map(face).collect(),
+            surface: self.surface.picked(&vertices, original),
+            curve: self.curve.picked(&vertices, original),
+            opposite: self.opposite.picked(&edges, original),
+            vertex_dimensions: self.vertex_dimensions[..unfolded.vertices()].to_vec(),
+            has_free_edges: self.has_free_edges,
+        }
+    }
+
+    fn without_mirrors(mesh: &RawMesh, topology: &Topology, features: &Features) -> Self {
         let is_surface = surface_faces(mesh, topology, features);
         let opposite = opposite_vertices(topology, &is_surface);
         let ends = |edge: u32| topology.edges()[edge as usize];
@@ -196,6 +236,26 @@ impl Incidence {
     /// Both directions of each pair.
     fn symmetric(pairs: impl Iterator<Item = [u32; 2]>) -> Self {
         Self::new(pairs.flat_map(|[a, b]| [[a, b], [b, a]]).collect())
+    }
+
+    /// The lists of these keys, numbered by their places; values renamed, not made fewer.
+    fn picked(&self, keys: &[u32], rename: impl Fn(u32) -> u32) -> Self {
+        let mut picked = Self { keys: Vec::new(), offsets: vec![0], values: Vec::new() };
+        let lists = (0u32..).zip(keys).map(|(at, &key)| (at, self.of(key)));
+        for (at, list) in lists.filter(|(_, list)| !list.is_empty()) {
+            picked.keys.push(at);
+            let start = picked.values.len();
+            picked.values.extend(list.iter().map(|&value| rename(value)));
+            picked.values[start..].sort_unstable();
+            picked.offsets.push(picked.values.len() as u32);
+        }
+        picked
+    }
+
+    /// Keeps the lists of some keys.
+    pub fn retain(&mut self, is_kept: impl Fn(u32) -> bool) {
+        let keys: Vec<u32> = self.keys().filter(|&key| is_kept(key)).collect();
+        *self = Self { keys: keys.clone(), ..self.picked(&keys, |value| value) };
     }
 
     pub fn keys(&self) -> impl Iterator<Item = u32> {

@@ -257,6 +257,7 @@ impl Subdivide {
             group_points: self.group_points.unwrap_or(defaults.group_points),
             group_borders: self.group_borders.map_or(defaults.group_borders, |key| key.0),
             surfaces,
+            mirrors: defaults.mirrors,
             extra,
         })
     }

@@ -85,6 +85,7 @@ fn the_limit_passes_through_the_vertices_of_the_input() {
                 }
             }
             let report = levels.refinement(0).interpolation.unwrap();
+            assert_eq!(report.strained, 0, "{name}");
             assert!(report.iterations.iter().all(|&n| n <= 25), "{name}: {report:?}");
             assert!(report.residual < 1e-10, "{name}: {report:?}");
             assert_eq!(levels.refinement(1).interpolation.unwrap().iterations, [0, 0]);
@@ -323,4 +324,25 @@ fn distances_tell_what_smoothing_takes_away_and_passing_through_keeps() {
     }
     let levels = stepped(ball(1), Scheme::INTERPOLATORY.into(), 1);
     assert_eq!(levels.limit_distances(1, Scheme::INTERPOLATORY), Default::default());
+}
+
+#[test]
+fn vertices_in_bad_triangles_are_counted() {
+    // A ball with one vertex of the surface pushed close to a neighbour.
+    let mut raw = ball(2).into_raw();
+    let levels = hierarchy(ball(2));
+    let strata = Strata::new(
+        levels.coarsest().mesh.raw(),
+        &levels.coarsest().topology,
+        levels.coarsest().mesh.features().unwrap(),
+    );
+    let v = strata.vertex_dimensions.iter().position(|&dimension| dimension == 2).unwrap();
+    let to = strata.surface_neighbours(v as u32)[0] as usize;
+    let pushed: [f64; 3] =
+        std::array::from_fn(|k| 0.15 * raw.points[v][k] + 0.85 * raw.points[to][k]);
+    raw.points[v] = pushed.map(|x| x / distance(pushed, [0.0; 3]));
+    let mesh = octruss_mesh::check(raw, &Default::default()).unwrap().mesh;
+    let floor = guard::usual_floor(&mesh);
+    let levels = stepped(mesh, Step { min_quality: Some(floor), ..THROUGH }, 1);
+    assert!(levels.refinement(0).interpolation.unwrap().strained > 0);
 }

@@ -1,7 +1,10 @@
 //! Which part of a displacement leads off a curve or surface.
 
+use std::cmp::Ordering;
+
+use crate::core::raw_mesh::RawMesh;
 use crate::core::strata::Strata;
-use crate::core::topology::Topology;
+use crate::core::topology::{NONE, Topology};
 use octruss_base::large_array::filled;
 use octruss_base::vector3::{Vector3, add, cross, dot3, length, scale, subtract};
 
@@ -9,22 +12,29 @@ use octruss_base::vector3::{Vector3, add, cross, dot3, length, scale, subtract};
 pub(super) struct Across<'a> {
     strata: &'a Strata,
     points: &'a [Vector3],
-    /// The sum of the normals of the facets at each vertex, weighted by their areas, in the
-    /// orientation of the first; 0 off surfaces.
+    /// The sum of the normals of the facets at each vertex, weighted by their areas; 0 off
+    /// surfaces.
     normals: Vec<Vector3>,
 }
 
 impl<'a> Across<'a> {
-    pub fn new(topology: &Topology, strata: &'a Strata, points: &'a [Vector3]) -> Self {
+    /// Facets are turned outwards on the boundary, away from the smaller region between
+    /// two, elsewhere to the side of the first at a vertex.
+    pub fn new(
+        mesh: &RawMesh,
+        topology: &Topology,
+        strata: &'a Strata,
+        points: &'a [Vector3],
+    ) -> Self {
         let mut normals = filled([0.0; 3], points.len());
-        let faces = topology.faces().iter().zip(&strata.is_surface);
-        for (face, _) in faces.filter(|(_, is_surface)| **is_surface) {
-            let [a, b, c] = face.map(|v| points[v as usize]);
-            let normal = cross(subtract(b, a), subtract(c, a));
-            for &v in face {
+        for face in (0..topology.faces().len()).filter(|&face| strata.is_surface[face]) {
+            let vertices = topology.faces()[face];
+            let normal = normal(vertices, points);
+            let turn = outward_sign(mesh, topology, face);
+            for v in vertices {
                 let sum = &mut normals[v as usize];
-                let sign = if dot3(*sum, normal) < 0.0 { -1.0 } else { 1.0 };
-                *sum = add(*sum, scale(sign, normal));
+                let like_the_others = if dot3(*sum, normal) < 0.0 { -1.0 } else { 1.0 };
+                *sum = add(*sum, scale(turn.unwrap_or(like_the_others), normal));
             }
         }
         Self { strata, points, normals }
@@ -48,6 +58,33 @@ impl<'a> Across<'a> {
             _ => whole,
         }
     }
+}
+
+/// Twice the area of a triangle, as a vector.
+fn normal(vertices: [u32; 3], points: &[Vector3]) -> Vector3 {
+    let [a, b, c] = vertices.map(|v| points[v as usize]);
+    cross(subtract(b, a), subtract(c, a))
+}
+
+/// By which sign the normal of a face, its vertices ascending, leads out of the tet behind
+/// it, or of the region with the smaller number; `None` if neither tells.
+fn outward_sign(mesh: &RawMesh, topology: &Topology, face: usize) -> Option<f64> {
+    let behind = match topology.face_tets()[face] {
+        [NONE, _] => return None,
+        [tet, NONE] => tet,
+        [first, second] => {
+            let [one, other] = [first, second].map(|tet| mesh.regions[tet as usize]);
+            match one.cmp(&other) {
+                Ordering::Less => first,
+                Ordering::Greater => second,
+                Ordering::Equal => return None,
+            }
+        }
+    };
+    let vertices = topology.faces()[face];
+    let apex = mesh.tets[behind as usize].into_iter().find(|v| !vertices.contains(v))?;
+    let inwards = subtract(mesh.points[apex as usize], mesh.points[vertices[0] as usize]);
+    Some(if dot3(normal(vertices, &mesh.points), inwards) > 0.0 { -1.0 } else { 1.0 })
 }
 
 /// The component along a direction, if that is one.

@@ -58,7 +58,7 @@ impl Hierarchy {
         let lower: Vec<usize> = lower.collect();
         let input_vertices = lower.partition_point(|&v| v < input.len());
         let unfolded_limits = unfolded.with_images(&limits);
-        let across = Across::new(&unfolded.topology, &strata, &unfolded_limits);
+        let across = Across::new(&unfolded.mesh, &unfolded.topology, &strata, &unfolded_limits);
         let away =
             |points: &[Vector3], v: usize| across.distance(v, subtract(points[v], limits[v]));
         let (largest, mean) = largest_and_mean(&lower, |v| away(points, v));

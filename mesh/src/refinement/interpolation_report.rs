@@ -11,6 +11,10 @@ pub struct InterpolationReport {
     /// How far, at most, a component of the limit of these control points is from the
     /// vertex, in mesh units; 0 if they came with the mesh.
     pub residual: f64,
+    /// How many vertices have a neighbour on their curve or surface whose control point is
+    /// moved against theirs by more than the two are apart: the smooth surface through the
+    /// triangles there has wiggles. 0 if the control points came with the mesh.
+    pub strained: usize,
     /// How new vertices were placed.
     pub placement: Placement,
     /// The largest distance, in mesh units, by which the guard pulled a boundary vertex

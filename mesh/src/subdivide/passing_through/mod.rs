@@ -13,3 +13,4 @@ pub mod pass;
 mod place;
 mod solve;
 mod spread;
+mod strain;

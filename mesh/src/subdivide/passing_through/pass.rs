@@ -3,6 +3,7 @@
 use super::harmonic::extend;
 use super::place::along_normals;
 use super::solve;
+use super::strain::count_strained;
 use crate::core::control_points::{ControlPoints, Placement};
 use crate::core::edge_length::mean_edge_length;
 use crate::core::mirrors::Unfolded;
@@ -81,7 +82,11 @@ impl Step<'_> {
         let topology = &*coarse.topology;
         let edge_length = mean_edge_length(&coarse.mesh.points, topology);
         let rules = LimitRules { strata, topology, curve_ends };
-        let solved = solve::control_points(&rules, coarse, &listed(strata, coarse), edge_length);
+        let listed = listed(strata, coarse);
+        let solved = solve::control_points(&rules, coarse, &listed, edge_length);
+        let (points, control_points) = (&coarse.mesh.points, &solved.control_points);
+        report.strained =
+            count_strained(&rules, points, &listed, &coarse.with_images(control_points));
         report.iterations = solved.iterations;
         report.residual = solved.residual;
         solved.control_points

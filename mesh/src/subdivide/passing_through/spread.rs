@@ -13,7 +13,7 @@ const SWEEPS: usize = 8;
 
 /// Gives each of these vertices the mean displacement of its neighbours, some times over
 /// (Jacobi's iteration); the others keep theirs.
-/// There is one for each unfolded vertex, of which those of images are left turned round.
+/// There is one for each unfolded vertex; those of images are made by this.
 pub(super) fn spread(mesh: &Unfolded, inner: &[u32], displacements: &mut [Vector3]) {
     let topology = &*mesh.topology;
     let incident = VertexEdges::new(topology);

@@ -76,7 +76,7 @@ pub use core::topology::Topology;
 pub use core::{components, reference_tet, shapes, strata, topology};
 pub use features::{
     ExtraFeatures, FeatureError, FeatureOptions, FeatureReasons, GroupBorders, MirrorError,
-    Mirrors, Reason, prepare,
+    Mirrors, Reason, mirror_candidates, prepare,
 };
 pub use hierarchy::{Hierarchy, Level};
 pub use limit::distances::LimitDistances;

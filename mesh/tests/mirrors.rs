@@ -7,8 +7,8 @@ use common::random_block::Random;
 use common::reflected::{Pair, Plane, reflected};
 use octruss_mesh::{
     CheckOptions, CurveEnds, Diagonal, FeatureOptions, Hierarchy, Marking, MirrorError, Mirrors,
-    Overshoot, RawMesh, Reason, Scheme, Sides, Step, Strata, SubdivisionMatrix, TetMesh, check,
-    limit_matrix, limit_positions, shapes,
+    Overshoot, Placement, RawMesh, Reason, Scheme, Sides, Step, Strata, SubdivisionMatrix, TetMesh,
+    check, limit_matrix, limit_positions, mirror_candidates, shapes,
 };
 
 const SCHEMES: [Scheme; 4] =
@@ -277,6 +277,27 @@ fn guards_pull_back_as_in_the_body() {
     assert_alike(&pair, step, 1e-13, part.name);
 }
 
+#[test]
+fn thin_walls_go_to_the_limit_as_in_the_body() {
+    let mesh = bent([3, 2, 6], |[x, y, z]| turned(x / 12.0, 1.75 + 0.125 * y, z));
+    let part = Part::new("thin pipe", mesh, &[X0, Y0, Z0]);
+    let step = Step { min_quality: Some(0.1), interpolate: true, ..Scheme::BoxSpline.into() };
+    let pair = part.pair(&FeatureOptions::default(), step, 2);
+    for levels in [&pair.part, &pair.body] {
+        let report = levels.refinement(0).interpolation.unwrap();
+        assert_eq!(report.placement, Placement::AtLimit);
+    }
+    // The harmonic extension of displacements of about 0.1 is solved to 1e-6 of its data.
+    assert_in_place(&pair, step, 1e-6, part.name);
+    let sums = pair.part.refinements().map(|step| {
+        let matrix = step.field_matrix();
+        (0..matrix.rows())
+            .map(|row| (matrix.row(row).1.iter().sum::<f64>() - 1.0).abs())
+            .fold(0.0, f64::max)
+    });
+    assert!(sums.into_iter().all(|off| off < 1e-12));
+}
+
 /// A quarter plate of two regions, with an embedded surface, a curve round the rim of
 /// the hole, and a corner on it.
 fn with_features() -> Part {
@@ -525,4 +546,45 @@ fn what_is_no_mirror_plane_is_refused() {
     let bent_back = check(raw, &CheckOptions::default()).unwrap().mesh;
     let error = refused(&bent_back, &[5]);
     assert!(matches!(error, MirrorError::Behind { distance: 1.0, .. }), "{error}");
+}
+
+/// Like [`Part::new`], but each side of a plate with its own surface.
+fn with_sides(mesh: TetMesh, planes: &[Plane]) -> TetMesh {
+    let mut raw = Part::new("", mesh, planes).raw;
+    for at in 0..raw.triangles.len() {
+        let vertices = raw.triangles.simplices[at];
+        let all_at = |z: f64| vertices.iter().all(|&v| raw.points[v as usize][2] == z);
+        let side = if all_at(0.0) { 20 } else { 21 };
+        if all_at(0.0) || all_at(1.0) {
+            raw.triangles.tags[at] = side;
+        }
+    }
+    check(raw, &CheckOptions::default()).unwrap().mesh
+}
+
+#[test]
+fn planes_that_round_surfaces_meet_are_proposed() {
+    let plate = sector(0.25, [6, 3, 2]);
+    assert_eq!(mirror_candidates(&with_sides(plate.clone(), &[X0, Y0])), [1, 2]);
+    let part = Part::new("octant", octant(2), &[X0, Y0, Z0]).raw;
+    let octant = check(part, &CheckOptions::default()).unwrap().mesh;
+    assert_eq!(mirror_candidates(&octant), [1, 2, 3]);
+    // Cells that take up turns of 2 to 1, in turns.
+    let uneven = bent([6, 2, 1], |[x, y, z]| {
+        let turn = (x + if x % 2.0 == 1.0 { 1.0 / 3.0 } else { 0.0 }) / 24.0;
+        turned(turn, 1.0 + y / 2.0, z)
+    });
+    assert_eq!(mirror_candidates(&with_sides(uneven, &[X0, Y0])), [1, 2]);
+    // Flat everywhere, inclined, or cut off a bulge beside its middle.
+    assert!(mirror_candidates(&shapes::kuhn_cube(2)).is_empty());
+    let of_base = |cells, shape: &dyn Fn([f64; 3]) -> [f64; 3]| {
+        let raw = Part::new("", bent(cells, shape), &[Z0]).raw;
+        mirror_candidates(&check(raw, &CheckOptions::default()).unwrap().mesh)
+    };
+    let narrowed = |by: fn(f64) -> f64| {
+        of_base([4, 4, 4], &move |[x, y, z]| [(x - 2.0) * by(z), (y - 2.0) * by(z), z])
+    };
+    assert!(narrowed(|z| 1.0 - 0.05 * z).is_empty());
+    assert!(narrowed(|z| 1.0 - 0.02 * (z + 1.0) * (z + 1.0)).is_empty());
+    assert_eq!(narrowed(|z| 1.0 - 0.02 * z * z), [3]);
 }

@@ -56,18 +56,11 @@ impl Mirrors {
         }
         let mesh = mesh.raw();
         let topology = Topology::new(mesh);
-        let allowed = SMALL * size(&mesh.points);
         let mut fits: Vec<PlaneFit> = Vec::new();
         for &group in &groups {
-            let name = mesh.group_name(2, group);
-            let fit = PlaneFit::new(mesh, group);
-            let fit = fit.ok_or(MirrorError::NoTriangles { group: name.clone() })?;
-            let side = Side { mesh, group, name, fit };
-            side.check_boundary(&topology)?;
-            side.check_flat(allowed)?;
-            side.check_front(allowed)?;
+            let fit = check_group(mesh, &topology, group)?;
             for (other, &of) in fits.iter().zip(&groups) {
-                side.check_angle(other, mesh.group_name(2, of))?;
+                check_angle(mesh, [(of, other), (group, &fit)])?;
             }
             fits.push(fit);
         }
@@ -79,6 +72,23 @@ impl Mirrors {
     pub fn groups(&self) -> &[i32] {
         &self.groups
     }
+}
+
+/// The plane of a group that is flat, on the boundary, and has the mesh on one side.
+pub(super) fn check_group(
+    mesh: &RawMesh,
+    topology: &Topology,
+    group: i32,
+) -> Result<PlaneFit, MirrorError> {
+    let allowed = SMALL * size(&mesh.points);
+    let name = mesh.group_name(2, group);
+    let fit = PlaneFit::new(mesh, group);
+    let fit = fit.ok_or(MirrorError::NoTriangles { group: name.clone() })?;
+    let side = Side { mesh, group, name, fit };
+    side.check_boundary(topology)?;
+    side.check_flat(allowed)?;
+    side.check_front(allowed)?;
+    Ok(fit)
 }
 
 /// The diagonal of the box round some points.
@@ -143,16 +153,16 @@ impl Side<'_> {
             }),
         }
     }
+}
 
-    fn check_angle(&self, other: &PlaneFit, other_name: String) -> Result<(), MirrorError> {
-        let cosine = dot3(self.fit.normal, other.normal).abs();
-        let sine = length(cross(self.fit.normal, other.normal));
-        if cosine <= SMALL || sine <= SMALL {
-            return Ok(());
-        }
-        let degrees = sine.atan2(cosine).to_degrees();
-        Err(MirrorError::Oblique { groups: [other_name, self.name.clone()], degrees })
+fn check_angle(mesh: &RawMesh, sides: [(i32, &PlaneFit); 2]) -> Result<(), MirrorError> {
+    let [one, other] = sides.map(|(_, fit)| fit.normal);
+    let (cosine, sine) = (dot3(one, other).abs(), length(cross(one, other)));
+    if cosine <= SMALL || sine <= SMALL {
+        return Ok(());
     }
+    let groups = sides.map(|(group, _)| mesh.group_name(2, group));
+    Err(MirrorError::Oblique { groups, degrees: sine.atan2(cosine).to_degrees() })
 }
 
 /// What has all its vertices on a plane is in its groups: it would else be its own image.

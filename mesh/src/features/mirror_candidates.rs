@@ -15,10 +15,14 @@ const MOST_TILT: f64 = 20.0;
 /// Facets that are nearer to perpendicular, in degrees, end there flat.
 const FLAT: f64 = 0.05;
 
-/// The tilt of a round surface grows with the distance from a plane that it meets at a
-/// right angle: it is twice as much at the far vertices of the first facets as on them. That
-/// of an inclined wall does not grow.
-const LEAST_GROWTH: f64 = 1.4;
+/// The tilt of a round surface grows in proportion to the distance from a plane that it
+/// meets at a right angle. Facets that begin where those at the plane end are then tilted
+/// more than twice as much; those of an inclined wall are not.
+const LEAST_GROWTH: f64 = 2.0;
+
+/// Facets begin at the plane if a vertex is so near to it, in parts of the distance of the
+/// vertex whose facets are looked at.
+const NEAR: f64 = 0.05;
 
 /// The surface groups that are probably mirror planes, ascending; to be told, not to be
 /// taken for granted.
@@ -76,7 +80,7 @@ impl<'a> Surfaces<'a> {
                         return false;
                     }
                     if near.abs() > FLAT.to_radians().sin() {
-                        let far = self.sine(self.far_normal(other, edge), plane);
+                        let far = self.sine(self.normal_beyond(other, edge, plane), plane);
                         let weight = self.edge_length(edge) * near.signum();
                         sums = [sums[0] + weight * near, sums[1] + weight * far];
                     }
@@ -100,19 +104,25 @@ impl<'a> Surfaces<'a> {
         cross(subtract(b, a), subtract(c, a))
     }
 
-    /// The mean normal at the vertex of a face off one of its edges, over the surface that
-    /// goes on smoothly there.
-    fn far_normal(&self, face: u32, edge: u32) -> Vector3 {
+    /// The mean normal of the facets that go on smoothly behind one at the plane, which has
+    /// an edge there; 0 if there are none.
+    fn normal_beyond(&self, face: u32, edge: u32, plane: &PlaneFit) -> Vector3 {
         let (ends, own) = (self.topology.edges()[edge as usize], self.normal(face));
         let far = self.topology.faces()[face as usize].into_iter().find(|v| !ends.contains(v));
-        let smooth = (2.0 * MOST_TILT).to_radians().cos();
-        let normals = far.map_or(&[][..], |far| self.at_vertices.of(far)).iter();
-        let aligned = normals.map(|&other| {
+        let Some(far) = far else { return [0.0; 3] };
+        let height = |v: u32| plane.height(self.mesh.points[v as usize]).abs();
+        let is_beyond = |face: u32| {
+            let vertices = self.topology.faces()[face as usize];
+            vertices.iter().all(|&v| height(v) > NEAR * height(far))
+        };
+        let beyond = self.at_vertices.of(far).iter().filter(|&&face| is_beyond(face));
+        let aligned = beyond.map(|&other| {
             let normal = self.normal(other);
             if dot3(normal, own) < 0.0 { scale(-1.0, normal) } else { normal }
         });
-        let near = |n: &Vector3| dot3(*n, own) >= smooth * length(*n) * length(own);
-        aligned.filter(near).fold([0.0; 3], add)
+        let smooth = (2.0 * MOST_TILT).to_radians().cos();
+        let is_smooth = |n: &Vector3| dot3(*n, own) >= smooth * length(*n) * length(own);
+        aligned.filter(is_smooth).fold([0.0; 3], add)
     }
 
     fn edge_length(&self, edge: u32) -> f64 {

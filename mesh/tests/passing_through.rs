@@ -346,3 +346,13 @@ fn vertices_in_bad_triangles_are_counted() {
     let levels = stepped(mesh, Step { min_quality: Some(floor), ..THROUGH }, 1);
     assert!(levels.refinement(0).interpolation.unwrap().strained > 0);
 }
+
+#[test]
+fn a_mesh_without_features_is_smooth_and_keeps_control_points_too() {
+    let mesh = shapes::five_tet_cube();
+    let topology = octruss_mesh::Topology::new(mesh.raw());
+    let (bare, ..) = octruss_mesh::subdivide(&mesh, &topology, THROUGH, 1).unwrap();
+    let smooth = stepped(common::smooth(mesh), THROUGH, 1).into_finest().mesh;
+    assert_eq!(bare.points(), smooth.points());
+    assert_eq!(control_points(&bare), control_points(&smooth));
+}

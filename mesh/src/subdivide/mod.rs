@@ -4,6 +4,7 @@ pub mod assemble_matrix;
 pub mod curve_ends;
 pub mod error;
 pub mod guard;
+mod moved;
 pub mod neighbourhoods;
 pub mod octets;
 pub mod passing_through;

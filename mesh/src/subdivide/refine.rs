@@ -4,25 +4,19 @@ use std::cmp::Ordering::Greater;
 
 use rayon::prelude::*;
 
-use crate::core::control_points::ControlPoints;
-use crate::core::edge_length::mean_edge_length;
 use crate::core::mirrors::Unfolded;
 use crate::core::raw_mesh::RawMesh;
 use crate::core::reference_tet::{corners, six_volumes};
 use crate::core::tet_mesh::TetMesh;
 use crate::core::topology::{EdgeFaces, Topology, VertexEdges};
 use crate::marking::shortest_pairs;
-use crate::refinement::affine_correction::{Geometry, corrected};
-use crate::refinement::folded::folded;
-use crate::refinement::guard_report::GuardReport;
-use crate::refinement::interpolation_report::InterpolationReport;
 use crate::refinement::refinement::Refinement;
-use crate::refinement::subdivision_matrix::SubdivisionMatrix;
 use crate::scheme::Scheme;
 use crate::subdivide::assemble_matrix::{matrix_with, unfolded_matrix};
 use crate::subdivide::error::SubdivideError;
 use crate::subdivide::guard::{Guard, keep_above, usual_floor};
-use crate::subdivide::passing_through::pass::{Passed, Step as Pass};
+use crate::subdivide::moved::Moved;
+use crate::subdivide::passing_through::pass::Step as Pass;
 use crate::subdivide::red_split::parents::Parents;
 use crate::subdivide::red_split::parts;
 use crate::subdivide::red_split::split::red_split;
@@ -89,24 +83,21 @@ pub fn subdivide(
     };
     let moved = match step.solves_for_control_points() {
         false => Moved::by_rows(&unfolded, matrix, min_quality.map(guard)),
-        true => {
-            let pass = Pass {
-                coarse: &unfolded,
-                mesh: coarse,
-                fine: unfolded.refined(&fine, &split.topology),
-                matrix: &matrix,
-                curve_ends: step.resolved_curve_ends(),
-                guard: &guard(min_quality.unwrap_or_else(|| usual_floor(mesh))),
-                is_guarded: min_quality.is_some(),
-            };
-            Moved::through_the_input(&pass)
-        }
+        true => Moved::through_the_input(&Pass {
+            coarse: &unfolded,
+            mesh: coarse,
+            fine: unfolded.refined(&fine, &split.topology),
+            matrix: &matrix,
+            curve_ends: step.resolved_curve_ends(),
+            guard: &guard(min_quality.unwrap_or_else(|| usual_floor(mesh))),
+            is_guarded: min_quality.is_some(),
+        }),
     };
-    let Moved { points, matrix, guard, control_points, interpolation } = moved;
-    let (matrix, mirrored) = on_the_mesh((coarse, topology), matrix, &unfolded, &points);
+    let moved = moved.on_the_mesh((coarse, topology), &unfolded);
+    let Moved { points, matrix, mirrored, guard, control_points, interpolation } = moved;
     fine.points = points;
-    if let Some(features) = &mut fine.features {
-        features.control_points = control_points;
+    if control_points.is_some() {
+        fine.features.get_or_insert_default().control_points = control_points;
     }
     // A guard that pulled nothing back has seen that all volumes are positive.
     if guard.is_none_or(|guard| guard.pulled_back > 0) {
@@ -114,54 +105,6 @@ pub fn subdivide(
     }
     let refinement = Refinement { scheme, matrix, mirrored, ancestry, guard, interpolation };
     Ok((TetMesh::trusted(fine), split.topology, refinement))
-}
-
-/// The vertices of the fine mesh, and how they came about.
-struct Moved {
-    points: Vec<[f64; 3]>,
-    /// Its columns are unfolded vertices.
-    matrix: SubdivisionMatrix,
-    guard: Option<GuardReport>,
-    control_points: Option<ControlPoints>,
-    interpolation: Option<InterpolationReport>,
-}
-
-impl Moved {
-    /// By the scheme's rows, pulled back by the guard.
-    fn by_rows(coarse: &Unfolded, mut matrix: SubdivisionMatrix, guard: Option<Guard>) -> Self {
-        let mut points = matrix.apply(&coarse.mesh.points);
-        let guard = guard.map(|guard| guard.apply(&mut matrix, &mut points));
-        Self { points, matrix, guard, control_points: None, interpolation: None }
-    }
-
-    /// Towards the limit of control points; the rows follow.
-    fn through_the_input(pass: &Pass) -> Self {
-        let Passed { points, control_points, report, pulls } = pass.pass();
-        let coarse = pass.coarse;
-        let length = mean_edge_length(&coarse.mesh.points, &coarse.topology);
-        let geometry = Geometry::new(coarse, &points, length);
-        let (matrix, _) = corrected(pass.matrix, &geometry);
-        let guard = pulls.map(|pulls| pulls.report);
-        let control_points = Some(control_points);
-        Self { points, matrix, guard, control_points, interpolation: Some(report) }
-    }
-}
-
-/// The matrix that leads from the positions of a mesh to those of the finer one, and that
-/// of fields where the mesh has mirror planes.
-fn on_the_mesh(
-    (coarse, topology): (&RawMesh, &Topology),
-    matrix: SubdivisionMatrix,
-    unfolded: &Unfolded,
-    points: &[[f64; 3]],
-) -> (SubdivisionMatrix, Option<SubdivisionMatrix>) {
-    if !unfolded.has_mirrors() {
-        return (matrix, None);
-    }
-    let mirrored = folded(matrix, unfolded);
-    let whole = Unfolded::whole(coarse, topology);
-    let geometry = Geometry::new(&whole, points, mean_edge_length(&coarse.points, topology));
-    (corrected(&mirrored, &geometry).0, Some(mirrored))
 }
 
 fn refuse_inverted(

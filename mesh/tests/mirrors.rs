@@ -93,7 +93,8 @@ fn sector(turns: f64, cells: [u32; 3]) -> TetMesh {
     bent(cells, |[x, y, z]| {
         let [c, s, _] = turned(turns * x / round, 1.0, 0.0);
         let radius = 1.0 + (2.0 / c.abs().max(s.abs()) - 1.0) * y / across;
-        [radius * c, radius * s, z / through]
+        let exact = |x: f64| if x.abs() < 1e-12 { 0.0 } else { x };
+        [exact(radius * c), exact(radius * s), z / through]
     })
 }
 
@@ -471,6 +472,11 @@ fn planes_stay_planes_and_are_handed_on() {
             let once = pair.clone().into_finest().mesh;
             let groups: Vec<i32> = part.planes.iter().map(|plane| plane.group).collect();
             assert_eq!(once.features().unwrap().mirrors, groups);
+            for (triangle, group) in once.triangles().iter().filter(|(_, tag)| *tag != 9) {
+                let Plane { axis, place, .. } =
+                    part.planes.iter().find(|p| p.group == group).unwrap();
+                assert!(triangle.iter().all(|&v| once.points()[v as usize][*axis] == *place));
+            }
             assert_eq!(Mirrors::new(&once, &groups).unwrap().groups(), groups);
             let mut twice = Hierarchy::new(once, &FeatureOptions::default());
             twice.subdivide(step).unwrap();

@@ -5,6 +5,7 @@ pub mod components;
 pub mod control_points;
 pub mod edge_length;
 pub mod hilbert;
+pub(crate) mod incidence;
 pub mod locality;
 pub(crate) mod mirrors;
 pub mod raw_mesh;

@@ -1,8 +1,9 @@
 //! Surfaces that look like mirror planes.
 
+use crate::core::incidence::Incidence;
 use crate::core::mirrors::PlaneFit;
 use crate::core::raw_mesh::{Features, RawMesh};
-use crate::core::strata::{Incidence, surface_faces};
+use crate::core::strata::surface_faces;
 use crate::core::tet_mesh::TetMesh;
 use crate::core::topology::Topology;
 use crate::features::mirrors::check_group;

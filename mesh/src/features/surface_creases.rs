@@ -2,9 +2,10 @@
 
 use std::collections::BTreeSet;
 
+use crate::core::incidence::Incidence;
 use crate::core::mirrors::Unfolded;
 use crate::core::raw_mesh::RawMesh;
-use crate::core::strata::{Incidence, opposite_vertices};
+use crate::core::strata::opposite_vertices;
 use crate::core::topology::{NONE, Topology};
 use crate::features::group_borders::GroupBorders;
 use crate::features::options::FeatureOptions;

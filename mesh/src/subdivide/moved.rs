@@ -53,13 +53,14 @@ impl Moved {
     /// With matrices whose columns are the vertices of the mesh itself: folded rows for
     /// fields, and these corrected for positions.
     pub fn on_the_mesh(
-        self,
+        mut self,
         (coarse, topology): (&RawMesh, &Topology),
         unfolded: &Unfolded,
     ) -> Self {
         if !unfolded.has_mirrors() {
             return self;
         }
+        unfolded.keep_in_planes(&mut self.points);
         let mirrored = folded(self.matrix, unfolded);
         let whole = Unfolded::whole(coarse, topology);
         let length = mean_edge_length(&coarse.points, topology);

@@ -9,6 +9,7 @@ mod images;
 mod plane_fit;
 mod planes;
 mod unfolded;
+mod unfolding;
 
 pub(crate) use plane_fit::PlaneFit;
 pub(crate) use planes::Planes;

@@ -73,6 +73,31 @@ impl Planes {
         image
     }
 
+    /// Of these planes those that a point is on to the last bit.
+    pub fn exactly_on(&self, point: Vector3, on: OnPlanes) -> OnPlanes {
+        let is_on = |&(plane, axis, place): &(OnPlanes, usize, f64)| {
+            on & plane != 0 && dot3(point, self.axes[axis]) == place
+        };
+        self.each().into_iter().filter(is_on).fold(0, |all, (plane, ..)| all | plane)
+    }
+
+    /// A point moved onto planes, each along its axis.
+    pub fn moved_onto(&self, point: Vector3, on: OnPlanes) -> Vector3 {
+        let planes = self.each().into_iter().filter(|(plane, ..)| on & plane != 0);
+        planes.fold(point, |point, (_, axis, place)| {
+            let rest = place - dot3(point, self.axes[axis]);
+            add(point, scale(rest, self.axes[axis]))
+        })
+    }
+
+    /// Each plane that there could be, its axis and its place along it.
+    fn each(&self) -> [(OnPlanes, usize, f64); 6] {
+        std::array::from_fn(|at| {
+            let [axis, side] = [at / 2, at % 2];
+            (if side == 0 { low(axis) } else { high(axis) }, axis, self.offsets[axis][side])
+        })
+    }
+
     /// The image of a displacement in a cell.
     pub fn turned(&self, displacement: Vector3, cell: Cell) -> Vector3 {
         let odd = cell.iter().zip(self.axes).filter(|(number, _)| *number & 1 != 0);

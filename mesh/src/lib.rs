@@ -75,11 +75,12 @@ pub use core::tet_mesh::TetMesh;
 pub use core::topology::Topology;
 pub use core::{components, reference_tet, shapes, strata, topology};
 pub use features::{
-    ExtraFeatures, FeatureError, FeatureOptions, FeatureReasons, GroupBorders, Reason, prepare,
+    ExtraFeatures, FeatureError, FeatureOptions, FeatureReasons, GroupBorders, MirrorError,
+    Mirrors, Reason, mirror_candidates, prepare,
 };
 pub use hierarchy::{Hierarchy, Level};
 pub use limit::distances::LimitDistances;
-pub use limit::positions::limit_matrix;
+pub use limit::positions::{limit_matrix, limit_positions};
 pub use marking::{Marking, MarkingReport, marking_report};
 pub use refinement::affine_correction::{AffineCorrection, CorrectedRows, NEGLIGIBLE_DEFECT};
 pub use refinement::ancestry::{Ancestor, Ancestry, SplitEdges};

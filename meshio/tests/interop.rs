@@ -75,6 +75,7 @@ fn rich_dataset(cells: u32, parts: f64) -> Dataset {
         creases: vec![[0, 1], [1, 2]],
         corners: vec![],
         surfaces: vec![6],
+        mirrors: vec![],
         cell_states: vec![],
         control_points: None,
     });

@@ -153,6 +153,7 @@ fn features_come_back_even_if_there_are_none() {
             creases: vec![[0, 1], [0, 3]],
             corners: vec![0, 5],
             surfaces: vec![2],
+            mirrors: vec![-3, 1],
             cell_states: states,
             control_points: None,
         }),

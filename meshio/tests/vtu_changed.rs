@@ -107,6 +107,7 @@ fn features_in_any_order_are_sorted() {
         creases: vec![[0, 1], [0, 2], [1, 3]],
         corners: vec![0, 3],
         surfaces: vec![-2, 1, 7],
+        mirrors: vec![],
         cell_states: vec![CellState::QuarterRoundX1X3],
         control_points: None,
     };

@@ -2,7 +2,8 @@
 
 use nalgebra::{DMatrix, DVector};
 
-use crate::core::strata::{Incidence, Strata};
+use crate::core::incidence::Incidence;
+use crate::core::strata::Strata;
 use crate::core::tet_mesh::TetMesh;
 use crate::core::topology::{Topology, VertexEdges};
 use crate::refinement::subdivision_matrix::SubdivisionMatrix;

@@ -67,6 +67,8 @@ fn features_at(
         creases,
         corners: if is_corner { vec![0] } else { Vec::new() },
         surfaces: features.surfaces.clone(),
+        // What lies behind a mirror is no part of the star.
+        mirrors: Vec::new(),
         initial_quality: features.initial_quality,
         cell_states: chosen.iter().filter_map(|&t| states.get(t).copied()).collect(),
         control_points: None,

@@ -66,6 +66,9 @@ pub struct Features {
     pub corners: Vec<u32>,
     /// Surface groups whose triangles are surface strata even inside a region; sorted.
     pub surfaces: Vec<i32>,
+    /// Surface groups that are mirror planes: what ends there goes on as if reflected;
+    /// sorted. See [`crate::Mirrors`].
+    pub mirrors: Vec<i32>,
     /// The smallest mean ratio η of the coarsest mesh, from which the floor of
     /// the guard derives; see [`crate::subdivide::guard::usual_floor`].
     pub initial_quality: Option<f64>,

@@ -7,10 +7,15 @@
 
 use rayon::prelude::*;
 
+use crate::core::incidence::Incidence;
+use crate::core::mirrors::Unfolded;
 use crate::core::raw_mesh::{Features, RawMesh};
 use crate::core::topology::{NONE, Topology};
 
 /// For every vertex and edge the dimension of its stratum, and the neighbours there.
+///
+/// Strata go on across mirror planes, which belong to none: a neighbour there is listed
+/// as the vertex that it is the image of, so that one may be listed twice.
 #[derive(Debug, Clone)]
 pub struct Strata {
     /// 0 fixed, 1 curve, 2 surface, 3 solid, for each vertex.
@@ -33,6 +38,42 @@ pub struct Strata {
 impl Strata {
     /// Sorts vertices and edges into strata, given the features found before.
     pub fn new(mesh: &RawMesh, topology: &Topology, features: &Features) -> Self {
+        let unfolded = Unfolded::with_features(mesh, topology, features);
+        match unfolded.has_mirrors() {
+            false => Self::without_mirrors(mesh, topology, features),
+            true => Self::unfolded(&unfolded).folded(topology, &unfolded),
+        }
+    }
+
+    /// The strata of an unfolded mesh.
+    pub(crate) fn unfolded(unfolded: &Unfolded) -> Self {
+        let smooth = Features::default();
+        let features = unfolded.mesh.features.as_ref().unwrap_or(&smooth);
+        Self::without_mirrors(&unfolded.mesh, &unfolded.topology, features)
+    }
+
+    /// Those of a mesh that was unfolded.
+    fn folded(self, topology: &Topology, unfolded: &Unfolded) -> Self {
+        let original = |v: u32| unfolded.original(v);
+        let each_edge = || (0..unfolded.edges()).map(|edge| unfolded.edge(edge));
+        let vertices: Vec<u32> = (0..unfolded.vertices() as u32).collect();
+        let edges: Vec<u32> = each_edge().collect();
+        let face = |&face: &[u32; 3]| {
+            let face = unfolded.topology.face_of(face).expect("a face stays one");
+            self.is_surface[face as usize]
+        };
+        Self {
+            edge_dimensions: each_edge().map(|edge| self.edge_dimensions[edge as usize]).collect(),
+            is_surface: topology.faces().par_iter().map(face).collect(),
+            surface: self.surface.picked(&vertices, original),
+            curve: self.curve.picked(&vertices, original),
+            opposite: self.opposite.picked(&edges, original),
+            vertex_dimensions: self.vertex_dimensions[..unfolded.vertices()].to_vec(),
+            has_free_edges: self.has_free_edges,
+        }
+    }
+
+    fn without_mirrors(mesh: &RawMesh, topology: &Topology, features: &Features) -> Self {
         let is_surface = surface_faces(mesh, topology, features);
         let opposite = opposite_vertices(topology, &is_surface);
         let ends = |edge: u32| topology.edges()[edge as usize];
@@ -166,46 +207,4 @@ fn vertex_dimensions(
     }
     features.corners.iter().for_each(|&v| dimensions[v as usize] = 0);
     dimensions
-}
-
-/// Short lists for a few of many keys: strata below the solid are small.
-#[derive(Debug, Clone)]
-pub(crate) struct Incidence {
-    keys: Vec<u32>,
-    offsets: Vec<u32>,
-    values: Vec<u32>,
-}
-
-impl Incidence {
-    /// Groups (key, value) pairs; values ascending, without duplicates.
-    pub fn new(mut pairs: Vec<[u32; 2]>) -> Self {
-        pairs.par_sort_unstable();
-        pairs.dedup();
-        let mut keys = Vec::new();
-        let mut offsets = Vec::new();
-        for (at, pair) in pairs.iter().enumerate() {
-            if keys.last() != Some(&pair[0]) {
-                keys.push(pair[0]);
-                offsets.push(at as u32);
-            }
-        }
-        offsets.push(pairs.len() as u32);
-        Self { keys, offsets, values: pairs.into_iter().map(|pair| pair[1]).collect() }
-    }
-
-    /// Both directions of each pair.
-    fn symmetric(pairs: impl Iterator<Item = [u32; 2]>) -> Self {
-        Self::new(pairs.flat_map(|[a, b]| [[a, b], [b, a]]).collect())
-    }
-
-    pub fn keys(&self) -> impl Iterator<Item = u32> {
-        self.keys.iter().copied()
-    }
-
-    pub fn of(&self, key: u32) -> &[u32] {
-        match self.keys.binary_search(&key) {
-            Ok(at) => &self.values[self.offsets[at] as usize..self.offsets[at + 1] as usize],
-            Err(_) => &[],
-        }
-    }
 }

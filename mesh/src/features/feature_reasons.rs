@@ -55,6 +55,7 @@ fn recorded(features: Features) -> Found {
         creases: features.creases.into_iter().map(|ends| (ends, Reason::Recorded)).collect(),
         corners: features.corners.into_iter().map(|vertex| (vertex, Reason::Recorded)).collect(),
         surfaces: features.surfaces,
+        mirrors: features.mirrors,
     }
 }
 

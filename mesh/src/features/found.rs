@@ -1,5 +1,6 @@
 //! Searching a mesh for creases and corners.
 
+use crate::core::mirrors::Unfolded;
 use crate::core::raw_mesh::{Features, RawMesh};
 use crate::core::strata::surface_faces;
 use crate::core::topology::{Topology, ascending};
@@ -12,20 +13,24 @@ pub(super) struct Found {
     pub creases: Vec<([u32; 2], Reason)>,
     pub corners: Vec<(u32, Reason)>,
     pub surfaces: Vec<i32>,
+    pub mirrors: Vec<i32>,
 }
 
 /// Finds creases and corners.
 ///
 /// A crease is an edge of a surface stratum with other than two of its faces,
 /// one sharper than the angle, one between different surface groups, a tagged
-/// edge, or one asked for. A corner is a tagged vertex, one asked for, or one
+/// edge, or one asked for. Surfaces go on across mirror planes, and a tagged edge in one is
+/// no crease for its tag: groups of curves bound the planes, which are no surfaces of the
+/// whole body. A corner is a tagged vertex, one asked for, or one
 /// where a surface touches itself in a point only.
 pub fn find_features(mesh: &RawMesh, topology: &Topology, options: &FeatureOptions) -> Features {
-    let Found { creases, corners, surfaces } = Found::new(mesh, topology, options);
+    let Found { creases, corners, surfaces, mirrors } = Found::new(mesh, topology, options);
     Features {
         creases: creases.into_iter().map(|(ends, _)| ends).collect(),
         corners: corners.into_iter().map(|(vertex, _)| vertex).collect(),
         surfaces,
+        mirrors,
         ..Features::default()
     }
 }
@@ -35,11 +40,14 @@ impl Found {
         let mut surfaces = options.surfaces.clone();
         surfaces.sort_unstable();
         surfaces.dedup();
-        let asked_for = Features { surfaces, ..Features::default() };
-        let is_surface = surface_faces(mesh, topology, &asked_for);
-        let mut creases = surface_creases(mesh, topology, options, &is_surface);
+        let mirrors = options.mirrors.groups().to_vec();
+        let asked_for = Features { surfaces, mirrors, ..Features::default() };
+        let unfolded = Unfolded::with_features(mesh, topology, &asked_for);
+        let is_surface = surface_faces(&unfolded.mesh, &unfolded.topology, &asked_for);
+        let mut creases = surface_creases(&unfolded, options, &is_surface);
         if options.group_curves {
             let tagged = mesh.edges.simplices.iter();
+            let tagged = tagged.filter(|&&ends| !unfolded.is_in_plane(ends));
             creases.extend(tagged.map(|&ends| (ascending(ends), Reason::CurveGroup)));
         }
         creases.extend(options.extra.creases().iter().map(|&ends| (ends, Reason::AskedFor)));
@@ -49,12 +57,14 @@ impl Found {
             corners.extend(tagged.map(|&[v]| (v, Reason::PointGroup)));
         }
         corners.extend(options.extra.corners().iter().map(|&v| (v, Reason::AskedFor)));
-        let touching = touching_points(topology, &is_surface).into_iter();
+        let touching = touching_points(&unfolded.topology, &is_surface).into_iter();
+        let touching = touching.filter(|&v| (v as usize) < unfolded.vertices());
         corners.extend(touching.map(|v| (v, Reason::TouchingPoint)));
         Self {
             creases: first_reasons(creases),
             corners: first_reasons(corners),
             surfaces: asked_for.surfaces,
+            mirrors: asked_for.mirrors,
         }
     }
 }

@@ -2,6 +2,7 @@
 
 use crate::features::extra::ExtraFeatures;
 use crate::features::group_borders::GroupBorders;
+use crate::features::mirrors::Mirrors;
 use crate::marking::Marking;
 
 /// How a coarsest mesh is readied: its marking, and where its creases and
@@ -22,6 +23,8 @@ pub struct FeatureOptions {
     pub group_borders: GroupBorders,
     /// Surface groups that are surface strata even inside a region.
     pub surfaces: Vec<i32>,
+    /// Surface groups that are mirror planes.
+    pub mirrors: Mirrors,
     /// Creases and corners that were asked for by their vertices, of the mesh
     /// that is readied.
     pub extra: ExtraFeatures,
@@ -36,6 +39,7 @@ impl Default for FeatureOptions {
             group_points: true,
             group_borders: GroupBorders::default(),
             surfaces: Vec::new(),
+            mirrors: Mirrors::default(),
             extra: ExtraFeatures::default(),
         }
     }

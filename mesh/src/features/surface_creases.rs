@@ -2,8 +2,10 @@
 
 use std::collections::BTreeSet;
 
+use crate::core::incidence::Incidence;
+use crate::core::mirrors::Unfolded;
 use crate::core::raw_mesh::RawMesh;
-use crate::core::strata::{Incidence, opposite_vertices};
+use crate::core::strata::opposite_vertices;
 use crate::core::topology::{NONE, Topology};
 use crate::features::group_borders::GroupBorders;
 use crate::features::options::FeatureOptions;
@@ -18,13 +20,20 @@ type Sides<'a> = [&'a [u32]; 2];
 
 /// Edges with other than two faces of surfaces, borders of groups, sharp edges;
 /// ends ascending, sorted.
+///
+/// Of an unfolded mesh its own edges are looked at: those of images are alike, and at the
+/// outermost ones faces seem to be a boundary that are none.
 pub(super) fn surface_creases(
-    mesh: &RawMesh,
-    topology: &Topology,
+    unfolded: &Unfolded,
     options: &FeatureOptions,
     is_surface: &[bool],
 ) -> Vec<([u32; 2], Reason)> {
-    let opposite = opposite_vertices(topology, is_surface);
+    let (mesh, topology) = (&*unfolded.mesh, &*unfolded.topology);
+    let mut opposite = opposite_vertices(topology, is_surface);
+    if unfolded.has_mirrors() {
+        let is_own = |edge| topology.edges()[edge as usize][1] < unfolded.vertices() as u32;
+        opposite.retain(is_own);
+    }
     let groups = face_groups(mesh, topology);
     let folds = Folds { mesh, topology, groups, crease_angle: options.crease_angle };
     let bent = match options.group_borders {

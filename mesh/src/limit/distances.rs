@@ -1,10 +1,10 @@
 //! How far the vertices of a level are from the limit.
 
-use crate::core::raw_mesh::Features;
+use crate::core::mirrors::Unfolded;
 use crate::core::strata::Strata;
 use crate::hierarchy::{Hierarchy, Level};
 use crate::limit::across::Across;
-use crate::limit::positions::limit_matrix;
+use crate::limit::positions::limit_positions;
 use crate::subdivide::step::Step;
 use octruss_base::chunks::map_ranges;
 use octruss_base::vector3::{Vector3, subtract};
@@ -52,13 +52,13 @@ impl Hierarchy {
         let level = &*self.levels()[level];
         let points = level.mesh.points();
         let Some(limits) = limits(level, &step) else { return LimitDistances::default() };
-        let smooth = Features::default();
-        let features = level.mesh.features().unwrap_or(&smooth);
-        let strata = Strata::new(level.mesh.raw(), &level.topology, features);
+        let unfolded = Unfolded::new(level.mesh.raw(), &level.topology);
+        let strata = Strata::unfolded(&unfolded);
         let lower = (0..points.len()).filter(|&v| strata.vertex_dimensions[v] < 3);
         let lower: Vec<usize> = lower.collect();
         let input_vertices = lower.partition_point(|&v| v < input.len());
-        let across = Across::new(level.mesh.raw(), &level.topology, &strata, &limits);
+        let unfolded_limits = unfolded.with_images(&limits);
+        let across = Across::new(&unfolded.mesh, &unfolded.topology, &strata, &unfolded_limits);
         let away =
             |points: &[Vector3], v: usize| across.distance(v, subtract(points[v], limits[v]));
         let (largest, mean) = largest_and_mean(&lower, |v| away(points, v));
@@ -74,12 +74,14 @@ fn limits(level: &Level, step: &Step) -> Option<Vec<Vector3>> {
         return None;
     }
     let Level { mesh, topology, .. } = level;
-    let limit = limit_matrix(mesh, topology, step.scheme, step.resolved_curve_ends());
+    let rules = (step.scheme, step.resolved_curve_ends());
+    let limits =
+        |control_points: &[Vector3]| Some(limit_positions(mesh, topology, rules, control_points));
     if !step.solves_for_control_points() {
-        return Some(limit.apply(mesh.points()));
+        return limits(mesh.points());
     }
     let control_points = mesh.features()?.control_points.as_ref()?;
-    Some(limit.apply(&control_points.of_all(mesh.points())))
+    limits(&control_points.of_all(mesh.points()))
 }
 
 fn largest_and_mean(vertices: &[usize], distance: impl Fn(usize) -> f64 + Sync) -> (f64, f64) {

@@ -1,9 +1,10 @@
 //! Where the boundary's vertices go if a scheme refines without end.
 
-use crate::core::raw_mesh::Features;
+use crate::core::mirrors::Unfolded;
 use crate::core::strata::Strata;
 use crate::core::tet_mesh::TetMesh;
 use crate::core::topology::Topology;
+use crate::refinement::folded::folded;
 use crate::refinement::subdivision_matrix::SubdivisionMatrix;
 use crate::scheme::Scheme;
 use crate::subdivide::curve_ends::CurveEnds;
@@ -18,7 +19,8 @@ use crate::subdivide::rules::limit::LimitRules;
 /// 1/(2n) each, with three 2/5 and 1/5 (Loop's rule with Warren's weights). It is the
 /// same for all approximating schemes, and the identity for those that keep vertices.
 /// Vertices of the solid have a row of the identity, too: their limits depend on the
-/// scheme and are not given here.
+/// scheme and are not given here. Beside mirror planes rows are those for fields, see
+/// [`crate::Refinement::mirrored`]; for positions see [`limit_positions`].
 ///
 /// ```
 /// use octruss_mesh::{CurveEnds, Hierarchy, Scheme, limit_matrix, shapes};
@@ -43,8 +45,36 @@ pub fn limit_matrix(
     if scheme.keeps_vertices() {
         return SubdivisionMatrix::from_rows(n, n, |row, entries| entries.add(row as u32, 1.0));
     }
-    let smooth = Features::default();
-    let strata = Strata::new(mesh.raw(), topology, mesh.features().unwrap_or(&smooth));
+    let unfolded = Unfolded::new(mesh.raw(), topology);
+    folded(unfolded_limit_matrix(&unfolded, curve_ends), &unfolded)
+}
+
+/// The limits of control points, one a vertex, on curves and surfaces, in mesh units: the
+/// product with [`limit_matrix`], but beside mirror planes with reflected control points.
+///
+/// # Panics
+/// If there are not as many control points as vertices.
+pub fn limit_positions(
+    mesh: &TetMesh,
+    topology: &Topology,
+    (scheme, curve_ends): (Scheme, CurveEnds),
+    control_points: &[[f64; 3]],
+) -> Vec<[f64; 3]> {
+    assert_eq!(control_points.len(), topology.vertex_count(), "one control point a vertex");
+    if scheme.keeps_vertices() {
+        return control_points.to_vec();
+    }
+    let unfolded = Unfolded::new(mesh.raw(), topology);
+    let limit = unfolded_limit_matrix(&unfolded, curve_ends);
+    limit.apply(&unfolded.with_images(control_points))
+}
+
+/// The rows of a mesh's own vertices; columns are unfolded ones.
+fn unfolded_limit_matrix(unfolded: &Unfolded, curve_ends: CurveEnds) -> SubdivisionMatrix {
+    let (topology, columns) = (&*unfolded.topology, unfolded.topology.vertex_count());
+    let strata = Strata::unfolded(unfolded);
     let rules = LimitRules { strata: &strata, topology, curve_ends };
-    SubdivisionMatrix::from_rows(n, n, |row, entries| rules.row(row as u32, entries))
+    SubdivisionMatrix::from_rows(unfolded.vertices(), columns, |row, entries| {
+        rules.row(row as u32, entries);
+    })
 }

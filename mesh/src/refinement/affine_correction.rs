@@ -13,7 +13,8 @@
 use nalgebra::{Cholesky, Matrix3, SymmetricEigen, Vector3};
 use rayon::prelude::*;
 
-use crate::core::topology::{EdgeFaces, Topology, VertexEdges};
+use crate::core::mirrors::Unfolded;
+use crate::core::topology::{EdgeFaces, VertexEdges};
 use crate::refinement::subdivision_matrix::SubdivisionMatrix;
 use octruss_base::ragged::CHUNK;
 
@@ -83,9 +84,8 @@ pub struct CorrectedRows {
 /// Two meshes, a step apart.
 #[derive(Clone, Copy)]
 pub(crate) struct Geometry<'a> {
-    pub coarse: &'a [[f64; 3]],
-    pub fine: &'a [[f64; 3]],
-    pub topology: &'a Topology,
+    coarse: &'a Unfolded<'a>,
+    fine: &'a [[f64; 3]],
     /// The miss up to which a row is exact, in mesh units.
     tolerance: f64,
 }
@@ -138,21 +138,22 @@ struct Change {
 }
 
 impl<'a> Geometry<'a> {
-    /// `coarse` is the mesh of the topology, `length` the mean of its edges'.
-    pub fn new(
-        (coarse, topology): (&'a [[f64; 3]], &'a Topology),
-        fine: &'a [[f64; 3]],
-        length: f64,
-    ) -> Self {
-        let coordinates = coarse.as_flattened().par_iter();
+    /// `length` is the mean of the coarse mesh's edges; columns are unfolded vertices.
+    pub fn new(coarse: &'a Unfolded<'a>, fine: &'a [[f64; 3]], length: f64) -> Self {
+        let coordinates = coarse.mesh.points.as_flattened().par_iter();
         let extent = coordinates.map(|x| x.abs()).reduce(|| 0.0, f64::max);
         let tolerance = EXACT * length + ROUNDINGS * f64::EPSILON * extent;
-        Self { coarse, fine, topology, tolerance }
+        Self { coarse, fine, tolerance }
     }
 
     /// A coarse vertex as seen from the fine one of a row.
     fn arm(&self, row: usize, column: u32) -> Vector3<f64> {
-        Vector3::from(self.coarse[column as usize]) - Vector3::from(self.fine[row])
+        Vector3::from(self.coarse.mesh.points[column as usize]) - Vector3::from(self.fine[row])
+    }
+
+    /// The coarse edge that a row is for; none if it is for a vertex.
+    fn edge(&self, row: usize) -> Option<u32> {
+        row.checked_sub(self.coarse.vertices()).map(|edge| self.coarse.edge(edge))
     }
 
     /// x_f − Σ w x_c, for weights that sum to one.
@@ -174,7 +175,7 @@ struct Correction<'a> {
 
 impl<'a> Correction<'a> {
     fn new(geometry: &'a Geometry<'a>) -> Self {
-        let topology = geometry.topology;
+        let topology = &*geometry.coarse.topology;
         let (vertex_edges, edge_faces) = (VertexEdges::new(topology), EdgeFaces::new(topology));
         Self { geometry, vertex_edges, edge_faces }
     }
@@ -201,7 +202,7 @@ impl<'a> Correction<'a> {
             if let Some(weights) = self.nearest(row, (&wide, &weights), &sizes) {
                 return Change { how: How::Extended, columns: wide, weights };
             }
-            wide = wide.iter().flat_map(|&vertex| self.around(vertex as usize)).collect();
+            wide = wide.iter().flat_map(|&vertex| self.around_vertex(vertex)).collect();
         }
         Change { how: How::Left, columns: own, weights: own_weights }
     }
@@ -234,24 +235,27 @@ impl<'a> Correction<'a> {
 
     /// The rule of linear interpolation.
     fn linear(&self, row: usize) -> (Vec<u32>, Vec<f64>) {
-        match row.checked_sub(self.geometry.topology.vertex_count()) {
+        match self.geometry.edge(row) {
             None => (vec![row as u32], vec![1.0]),
-            Some(edge) => (self.geometry.topology.edges()[edge].to_vec(), vec![0.5; 2]),
+            Some(edge) => (self.ends(edge).to_vec(), vec![0.5; 2]),
         }
+    }
+
+    fn ends(&self, edge: u32) -> [u32; 2] {
+        self.geometry.coarse.topology.edges()[edge as usize]
     }
 
     /// The vertices of all tets at the coarse vertex or edge of a row.
     fn around(&self, row: usize) -> Vec<u32> {
-        let edges = self.geometry.topology.edges();
-        match row.checked_sub(self.geometry.topology.vertex_count()) {
-            None => {
-                let at_vertex = self.vertex_edges.of(row).iter();
-                at_vertex.flat_map(|&edge| edges[edge as usize]).chain([row as u32]).collect()
-            }
-            Some(edge) => {
-                edges[edge].into_iter().chain(self.edge_faces.thirds(edge as u32)).collect()
-            }
+        match self.geometry.edge(row) {
+            None => self.around_vertex(row as u32),
+            Some(edge) => self.ends(edge).into_iter().chain(self.edge_faces.thirds(edge)).collect(),
         }
+    }
+
+    fn around_vertex(&self, vertex: u32) -> Vec<u32> {
+        let at_vertex = self.vertex_edges.of(vertex as usize).iter();
+        at_vertex.flat_map(|&edge| self.ends(edge)).chain([vertex]).collect()
     }
 }
 

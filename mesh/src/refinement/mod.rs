@@ -4,6 +4,7 @@ pub mod affine_correction;
 pub mod ancestors;
 pub mod ancestry;
 pub mod carry;
+pub(crate) mod folded;
 pub mod guard_report;
 pub mod interpolation_report;
 pub mod lineage;

@@ -33,6 +33,12 @@ pub struct Refinement {
     /// coarse positions. Where the step interpolates, its rows are changed for that as
     /// little as possible.
     pub matrix: SubdivisionMatrix,
+    /// Where the coarse mesh has mirror planes, the matrix of fields that are alike on both
+    /// sides of each, so that their slope across is 0. It reads the images of vertices as
+    /// the vertices, and is that of the whole body for such a field, guard and interpolation
+    /// included. Positions are no such field; for them rows of [`Self::matrix`] beside the
+    /// planes are these, changed as little as possible.
+    pub mirrored: Option<SubdivisionMatrix>,
     /// Where each part of the fine mesh lies in the coarse one.
     pub ancestry: Ancestry,
     /// What the guard did, if the step had one.
@@ -70,8 +76,18 @@ impl Refinement {
         self.ancestry.tets.inherit(values, components)
     }
 
-    /// A field on the vertices, `components` values each, carried by the matrix as
-    /// positions are.
+    /// The matrix that carries fields: as positions are moved, or as beside mirror planes.
+    pub fn field_matrix(&self) -> &SubdivisionMatrix {
+        self.mirrored.as_ref().unwrap_or(&self.matrix)
+    }
+
+    /// A field on the vertices, `components` values each, carried by
+    /// [`Self::field_matrix`].
+    ///
+    /// Beside mirror planes each component counts as a scalar that is alike on both sides,
+    /// for it is not known which fields are vectors of space: the component of a
+    /// displacement across a plane, which is turned round there, is carried as if it was
+    /// not.
     ///
     /// # Panics
     /// If `values` does not have `components` values for each coarse vertex.
@@ -81,7 +97,7 @@ impl Refinement {
         components: usize,
         overshoot: Overshoot,
     ) -> Carried {
-        carry_field(&self.matrix, values, components, overshoot)
+        carry_field(self.field_matrix(), values, components, overshoot)
     }
 }
 
@@ -133,6 +149,7 @@ mod tests {
             Refinement {
                 scheme: Scheme::Linear,
                 matrix,
+                mirrored: None,
                 ancestry,
                 guard: None,
                 interpolation: None,

@@ -225,7 +225,7 @@ impl Sides {
         region: i32,
         entries: &mut Vec<(f64, usize)>,
     ) {
-        let (columns, weights) = refinement.matrix.row(row as usize);
+        let (columns, weights) = refinement.field_matrix().row(row as usize);
         entries.clear();
         for (&column, &weight) in columns.iter().zip(weights) {
             match self.find(column, region) {

@@ -1,7 +1,7 @@
 //! Tetrahedral and octahedral cells of the octet truss behind a refined mesh.
 
+use crate::core::incidence::Incidence;
 use crate::core::raw_mesh::RawMesh;
-use crate::core::strata::Incidence;
 use crate::core::topology::{NONE, Topology};
 use crate::subdivide::neighbourhoods::{Neighbourhoods, Short};
 

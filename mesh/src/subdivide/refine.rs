@@ -4,13 +4,15 @@ use std::cmp::Ordering::Greater;
 
 use rayon::prelude::*;
 
+use crate::core::mirrors::Unfolded;
 use crate::core::raw_mesh::RawMesh;
 use crate::core::reference_tet::{corners, six_volumes};
 use crate::core::tet_mesh::TetMesh;
 use crate::core::topology::{EdgeFaces, Topology, VertexEdges};
 use crate::marking::shortest_pairs;
 use crate::refinement::refinement::Refinement;
-use crate::subdivide::assemble_matrix::matrix_with;
+use crate::scheme::Scheme;
+use crate::subdivide::assemble_matrix::{matrix_with, unfolded_matrix};
 use crate::subdivide::error::SubdivideError;
 use crate::subdivide::guard::{Guard, keep_above, usual_floor};
 use crate::subdivide::moved::Moved;
@@ -49,8 +51,15 @@ pub fn subdivide(
     }
     let vertex_edges = VertexEdges::new(topology);
     let edge_faces = EdgeFaces::new(topology);
+    let unfolded = match scheme {
+        Scheme::Linear => Unfolded::whole(coarse, topology),
+        _ => Unfolded::new(coarse, topology),
+    };
     let rules = (scheme, step.resolved_curve_ends());
-    let matrix = matrix_with(coarse, topology, (&vertex_edges, &edge_faces), rules);
+    let matrix = match unfolded.has_mirrors() {
+        false => matrix_with(&unfolded, (&vertex_edges, &edge_faces), rules),
+        true => unfolded_matrix(&unfolded, rules),
+    };
     let parents = match diagonal {
         Diagonal::Inherit => Parents::marked(&coarse.tets, topology),
         Diagonal::ShortestEachLevel => {
@@ -73,19 +82,19 @@ pub fn subdivide(
         fine_tets: &fine.tets,
     };
     let moved = match step.solves_for_control_points() {
-        false => Moved::by_rows(coarse, matrix, min_quality.map(guard)),
+        false => Moved::by_rows(&unfolded, matrix, min_quality.map(guard)),
         true => Moved::through_the_input(&Pass {
-            coarse,
-            topology,
-            fine: &fine,
-            fine_topology: &split.topology,
+            coarse: &unfolded,
+            mesh: coarse,
+            fine: unfolded.refined(&fine, &split.topology),
             matrix: &matrix,
             curve_ends: step.resolved_curve_ends(),
             guard: &guard(min_quality.unwrap_or_else(|| usual_floor(mesh))),
             is_guarded: min_quality.is_some(),
         }),
     };
-    let Moved { points, matrix, guard, control_points, interpolation } = moved;
+    let moved = moved.on_the_mesh((coarse, topology), &unfolded);
+    let Moved { points, matrix, mirrored, guard, control_points, interpolation } = moved;
     fine.points = points;
     if control_points.is_some() {
         fine.features.get_or_insert_default().control_points = control_points;
@@ -94,7 +103,7 @@ pub fn subdivide(
     if guard.is_none_or(|guard| guard.pulled_back > 0) {
         refuse_inverted(&fine.points, &fine.tets, level)?;
     }
-    let refinement = Refinement { scheme, matrix, ancestry, guard, interpolation };
+    let refinement = Refinement { scheme, matrix, mirrored, ancestry, guard, interpolation };
     Ok((TetMesh::trusted(fine), split.topology, refinement))
 }
 

@@ -6,6 +6,7 @@
 use std::borrow::Cow;
 
 use crate::core::edge_length::mean_edge_length;
+use crate::core::mirrors::Unfolded;
 use crate::core::tet_mesh::TetMesh;
 use crate::core::topology::{NONE, Topology};
 use crate::hierarchy::{Hierarchy, Level};
@@ -108,7 +109,8 @@ impl Hierarchy {
         }
         let fine = self.levels()[transfer + 1].mesh.points();
         let length = mean_edge_length(mesh.points(), topology);
-        let geometry = Geometry::new((mesh.points(), topology), fine, length);
+        let coarse = Unfolded::whole(mesh.raw(), topology);
+        let geometry = Geometry::new(&coarse, fine, length);
         let (exact, corrected) = corrected(&matrix, &geometry);
         Prolongation { matrix: Cow::Owned(exact), defect_before, corrected }
     }

@@ -5,6 +5,7 @@
 pub mod bodies;
 pub mod limit_body;
 pub mod random_block;
+pub mod reflected;
 pub mod slow_surface;
 
 use octruss_mesh::analysis::{LocalMatrix, at_midpoint};

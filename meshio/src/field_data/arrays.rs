@@ -99,6 +99,10 @@ pub(crate) fn mesh_arrays(mesh: &RawMesh) -> Result<Vec<SideArray<'_>>, String> 
                 content: SideContent::Ids(Cow::Borrowed(&features.surfaces)),
             },
         ]);
+        if !features.mirrors.is_empty() {
+            let content = SideContent::Ids(Cow::Borrowed(&features.mirrors));
+            arrays.push(SideArray { name: "feature_mirrors", components: 1, content });
+        }
         if let Some(eta) = features.initial_quality {
             let content = SideContent::Bytes(eta.to_le_bytes().to_vec());
             arrays.push(SideArray { name: "initial_quality", components: 1, content });
@@ -227,6 +231,7 @@ fn features(arrays: &impl SideArrays) -> Result<Option<Features>, Problem> {
         creases: sorted(creases.into_iter().map(|[a, b]| [a.min(b), a.max(b)]).collect()),
         corners: sorted(required(arrays.vertices("corners", 1)?, "corners")?),
         surfaces: sorted(required(arrays.ids("feature_surfaces")?, "feature_surfaces")?),
+        mirrors: sorted(arrays.ids("feature_mirrors")?.unwrap_or_default()),
         initial_quality: initial_quality(arrays.bytes("initial_quality")?)?,
         cell_states: cell_states(arrays.bytes("cell_states")?.unwrap_or_default())?,
         control_points: control_points::read(arrays)?,

@@ -2,6 +2,7 @@
 
 use rayon::prelude::*;
 
+use crate::core::mirrors::Unfolded;
 use octruss_base::chunks::map_ranges;
 use octruss_base::large_array::filled;
 use octruss_base::ragged::{CHUNK, accumulate};
@@ -15,37 +16,46 @@ const MOST_ITERATIONS: usize = 1_000;
 
 /// The equations own_i x_i + sign Σ_j x_j = b_i over the neighbours j of i among the
 /// unknowns; positive definite.
-pub(super) struct Block {
+///
+/// The unknowns are displacements. Beside mirror planes those of images are turned round:
+/// across a plane, vertices on it are not displaced and their equations fall away; along
+/// it an image counts as what it is an image of. Each equation is multiplied by the share
+/// of its vertex, so that the matrix is symmetric: a vertex on a plane reads each
+/// neighbour off it twice.
+pub(super) struct Block<'a> {
+    unfolded: &'a Unfolded<'a>,
     /// The vertices of the unknowns, ascending.
     pub vertices: Vec<u32>,
     own: Vec<f64>,
-    sign: f64,
+    signs: Vec<f64>,
     offsets: Vec<u32>,
     neighbours: Vec<u32>,
 }
 
-impl Block {
-    /// Of these vertices among `count`; `own` and `neighbours` tell of each.
+impl<'a> Block<'a> {
+    /// Of these vertices of a mesh; `own` and `neighbours`, which are unfolded vertices,
+    /// tell of each.
     pub fn new<I: Iterator<Item = u32>>(
         vertices: Vec<u32>,
-        count: usize,
+        unfolded: &'a Unfolded,
         (own, sign): (impl Fn(u32) -> f64, f64),
         neighbours: impl Fn(u32) -> I,
     ) -> Self {
-        let mut place = filled(KNOWN, count);
+        let mut place = filled(KNOWN, unfolded.vertices());
         for (at, &vertex) in (0..).zip(&vertices) {
             place[vertex as usize] = at;
         }
         let (mut offsets, mut columns) = (vec![0], Vec::new());
         for &vertex in &vertices {
             let before = columns.len();
-            let places = neighbours(vertex).map(|other| place[other as usize]);
+            let places = neighbours(vertex).map(|v| place[unfolded.original(v) as usize]);
             columns.extend(places.filter(|&at| at != KNOWN));
             offsets.push((columns.len() - before) as u32);
         }
         accumulate(&mut offsets);
-        let own = vertices.iter().map(|&vertex| own(vertex)).collect();
-        Self { vertices, own, sign, offsets, neighbours: columns }
+        let own = vertices.iter().map(|&vertex| unfolded.share(vertex) * own(vertex)).collect();
+        let signs = vertices.iter().map(|&vertex| unfolded.share(vertex) * sign).collect();
+        Self { unfolded, vertices, own, signs, offsets, neighbours: columns }
     }
 
     /// Conjugate gradients from 0, preconditioned by the diagonal, until `is_small` holds
@@ -56,13 +66,14 @@ impl Block {
         is_small: impl Fn(usize, [f64; 3]) -> bool + Sync,
     ) -> (Vec<[f64; 3]>, usize) {
         let n = rhs.len();
-        let (mut x, mut residual) = (filled([0.0; 3], n), rhs);
+        let (mut x, mut residual) = (filled([0.0; 3], n), self.shared(&rhs));
         let mut direction = self.over_diagonal(&residual);
         let mut energy = dot(&residual, &direction);
         for iteration in 0..MOST_ITERATIONS {
             let all_small = residual.par_iter().with_min_len(CHUNK).enumerate();
-            if all_small.all(|(i, &r)| is_small(i, r)) {
-                return (x, iteration);
+            let whole = |i: usize, r: [f64; 3]| r.map(|r| r / self.share(i));
+            if all_small.all(|(i, &r)| is_small(i, whole(i, r))) {
+                return (self.from_axes(x), iteration);
             }
             let product = self.apply(&direction);
             let step = quotients(energy, dot(&direction, &product));
@@ -75,7 +86,29 @@ impl Block {
             pairs.for_each(|(p, z)| *p = std::array::from_fn(|k| z[k] + keep[k] * p[k]));
             energy = next;
         }
-        (x, MOST_ITERATIONS)
+        (self.from_axes(x), MOST_ITERATIONS)
+    }
+
+    fn share(&self, unknown: usize) -> f64 {
+        self.unfolded.share(self.vertices[unknown])
+    }
+
+    /// The right-hand side as the equations are: along the axes of mirror planes, shared.
+    fn shared(&self, rhs: &[[f64; 3]]) -> Vec<[f64; 3]> {
+        let each = rhs.par_iter().with_min_len(CHUNK).enumerate();
+        let shared = each
+            .map(|(i, &b)| self.free_part(i, self.unfolded.to_axes(b).map(|b| self.share(i) * b)));
+        shared.collect()
+    }
+
+    fn from_axes(&self, x: Vec<[f64; 3]>) -> Vec<[f64; 3]> {
+        x.into_par_iter().with_min_len(CHUNK).map(|x| self.unfolded.from_axes(x)).collect()
+    }
+
+    /// A vector without the components that an unknown has not.
+    fn free_part(&self, unknown: usize, vector: [f64; 3]) -> [f64; 3] {
+        let is_free = self.unfolded.is_free(self.vertices[unknown]);
+        std::array::from_fn(|k| if is_free[k] { vector[k] } else { 0.0 })
     }
 
     fn over_diagonal(&self, r: &[[f64; 3]]) -> Vec<[f64; 3]> {
@@ -90,7 +123,8 @@ impl Block {
             for &j in &self.neighbours[range] {
                 (0..3).for_each(|k| sum[k] += x[j as usize][k]);
             }
-            std::array::from_fn(|k| self.own[i] * x[i][k] + self.sign * sum[k])
+            let row = |k: usize| self.own[i] * x[i][k] + self.signs[i] * sum[k];
+            self.free_part(i, std::array::from_fn(row))
         };
         (0..x.len()).into_par_iter().with_min_len(CHUNK).map(row).collect()
     }

@@ -6,9 +6,9 @@ use super::solve;
 use super::strain::count_strained;
 use crate::core::control_points::{ControlPoints, Placement};
 use crate::core::edge_length::mean_edge_length;
-use crate::core::raw_mesh::{Features, RawMesh};
+use crate::core::mirrors::Unfolded;
+use crate::core::raw_mesh::RawMesh;
 use crate::core::strata::Strata;
-use crate::core::topology::Topology;
 use crate::refinement::interpolation_report::InterpolationReport;
 use crate::refinement::subdivision_matrix::SubdivisionMatrix;
 use crate::subdivide::curve_ends::CurveEnds;
@@ -18,12 +18,12 @@ use octruss_base::vector3::{Vector3, length, subtract};
 
 /// A step as passing through sees it.
 pub(crate) struct Step<'a> {
-    pub coarse: &'a RawMesh,
-    pub topology: &'a Topology,
+    pub coarse: &'a Unfolded<'a>,
+    /// The coarse mesh itself.
+    pub mesh: &'a RawMesh,
     /// Whatever its positions.
-    pub fine: &'a RawMesh,
-    pub fine_topology: &'a Topology,
-    /// The scheme's.
+    pub fine: Unfolded<'a>,
+    /// The scheme's; its columns are unfolded vertices.
     pub matrix: &'a SubdivisionMatrix,
     pub curve_ends: CurveEnds,
     pub guard: &'a Guard<'a>,
@@ -56,12 +56,12 @@ impl Step<'_> {
     /// is chosen: along normals, unless the guard would pull boundary vertices back then,
     /// and fewer at the limit.
     pub fn pass(&self) -> Passed {
-        let strata = strata(self.coarse, self.topology);
-        let fine = FineStrata::new(self.fine, self.fine_topology);
+        let strata = Strata::unfolded(self.coarse);
+        let fine = FineStrata::new(&self.fine);
         let mut report = InterpolationReport::default();
-        let recorded = self.coarse.features.as_ref().and_then(|all| all.control_points.as_ref());
+        let recorded = self.mesh.features.as_ref().and_then(|all| all.control_points.as_ref());
         if let Some(recorded) = recorded {
-            let control_points = recorded.of_all(&self.coarse.points);
+            let control_points = recorded.of_all(&self.mesh.points);
             let placed = self.place(recorded.placement, &strata, &fine, &control_points);
             return self.guarded(placed, &fine, report);
         }
@@ -71,21 +71,22 @@ impl Step<'_> {
         if pulled == 0 {
             return self.guarded(normal, &fine, report);
         }
-        let listed = strata.listed();
-        extend(self.topology, &self.coarse.points, &listed, &mut control_points);
+        extend(self.coarse, &listed(&strata, self.coarse), &mut control_points);
         let at_limit = self.place(Placement::AtLimit, &strata, &fine, &control_points);
         let is_better = self.pulled_boundary(&at_limit, &fine) < pulled;
         self.guarded(if is_better { at_limit } else { normal }, &fine, report)
     }
 
     fn solve(&self, strata: &Strata, report: &mut InterpolationReport) -> Vec<Vector3> {
-        let Self { topology, curve_ends, .. } = *self;
-        let points = &self.coarse.points;
-        let edge_length = mean_edge_length(points, topology);
+        let Self { coarse, curve_ends, .. } = *self;
+        let topology = &*coarse.topology;
+        let edge_length = mean_edge_length(&coarse.mesh.points, topology);
         let rules = LimitRules { strata, topology, curve_ends };
-        let listed = strata.listed();
-        let solved = solve::control_points(&rules, points, &listed, edge_length);
-        report.strained = count_strained(&rules, points, &listed, &solved.control_points);
+        let listed = listed(strata, coarse);
+        let solved = solve::control_points(&rules, coarse, &listed, edge_length);
+        let (points, control_points) = (&coarse.mesh.points, &solved.control_points);
+        report.strained =
+            count_strained(&rules, points, &listed, &coarse.with_images(control_points));
         report.iterations = solved.iterations;
         report.residual = solved.residual;
         solved.control_points
@@ -98,8 +99,8 @@ impl Step<'_> {
         fine: &FineStrata,
         control_points: &[Vector3],
     ) -> Placed {
-        let n = self.coarse.points.len();
-        let mut refined = self.matrix.apply(control_points);
+        let n = self.coarse.vertices();
+        let mut refined = self.matrix.apply(&self.coarse.with_images(control_points));
         if placement == Placement::AlongNormals {
             // The end of a crease inside the solid is fixed as long as the solid is.
             let fixed = fine.listed.iter().map(|&v| v as usize).take_while(|&v| v < n);
@@ -107,17 +108,16 @@ impl Step<'_> {
                 refined[v] = control_points[v];
             }
         }
-        let limits = fine.limits(self.curve_ends, self.fine_topology, &refined);
+        let limits = fine.limits(self.curve_ends, &refined);
         let points = match placement {
             Placement::AlongNormals => {
-                let coarse = (self.coarse, self.topology, strata);
-                along_normals(coarse, self.fine_topology, &fine.listed, &limits)
+                along_normals((self.coarse, strata), &self.fine, &fine.listed, &limits)
             }
             Placement::AtLimit => {
                 let mut points = refined.clone();
                 for (&vertex, limit) in fine.listed.iter().zip(limits) {
                     // What is the limit of an old vertex, but for rounding, is that vertex.
-                    let old = self.coarse.points.get(vertex as usize);
+                    let old = self.mesh.points.get(vertex as usize);
                     points[vertex as usize] = old.copied().unwrap_or(limit);
                 }
                 points
@@ -161,36 +161,35 @@ impl Step<'_> {
     }
 }
 
-/// The strata of the fine mesh, and the vertices of those below the solid.
-struct FineStrata {
+/// The strata of the fine mesh, and its own vertices of those below the solid.
+struct FineStrata<'a> {
+    mesh: &'a Unfolded<'a>,
     strata: Strata,
     listed: Vec<u32>,
 }
 
-impl FineStrata {
-    fn new(mesh: &RawMesh, topology: &Topology) -> Self {
-        let strata = strata(mesh, topology);
-        let listed = strata.listed();
-        Self { strata, listed }
+impl<'a> FineStrata<'a> {
+    fn new(mesh: &'a Unfolded) -> Self {
+        let strata = Strata::unfolded(mesh);
+        let listed = listed(&strata, mesh);
+        Self { mesh, strata, listed }
     }
 
     /// The limit of each listed vertex.
-    fn limits(
-        &self,
-        curve_ends: CurveEnds,
-        topology: &Topology,
-        control_points: &[Vector3],
-    ) -> Vec<Vector3> {
+    fn limits(&self, curve_ends: CurveEnds, control_points: &[Vector3]) -> Vec<Vector3> {
+        let topology = &*self.mesh.topology;
         let rules = LimitRules { strata: &self.strata, topology, curve_ends };
-        let (rows, columns) = (self.listed.len(), control_points.len());
+        let (rows, columns) = (self.listed.len(), topology.vertex_count());
         let limit = SubdivisionMatrix::from_rows(rows, columns, |row, entries| {
             rules.row(self.listed[row], entries);
         });
-        limit.apply(control_points)
+        limit.apply(&self.mesh.with_images(control_points))
     }
 }
 
-fn strata(mesh: &RawMesh, topology: &Topology) -> Strata {
-    let smooth = Features::default();
-    Strata::new(mesh, topology, mesh.features.as_ref().unwrap_or(&smooth))
+/// The mesh's own vertices of strata below the solid.
+fn listed(strata: &Strata, mesh: &Unfolded) -> Vec<u32> {
+    let mut listed = strata.listed();
+    listed.truncate(listed.partition_point(|&v| (v as usize) < mesh.vertices()));
+    listed
 }

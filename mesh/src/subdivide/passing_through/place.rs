@@ -3,9 +3,10 @@
 use rayon::prelude::*;
 
 use super::spread::spread;
-use crate::core::raw_mesh::RawMesh;
+use crate::core::mirrors::Unfolded;
 use crate::core::strata::Strata;
 use crate::core::topology::Topology;
+use octruss_base::large_array::filled;
 use octruss_base::ragged::CHUNK;
 use octruss_base::vector3::{Vector3, add, cross, dot3, length, scale, subtract};
 
@@ -15,29 +16,33 @@ use octruss_base::vector3::{Vector3, add, cross, dot3, length, scale, subtract};
 ///
 /// `limits` belong to `listed`, the fine vertices of curves and surfaces.
 pub(super) fn along_normals(
-    (coarse, topology, strata): (&RawMesh, &Topology, &Strata),
-    fine_topology: &Topology,
+    (coarse, strata): (&Unfolded, &Strata),
+    fine: &Unfolded,
     listed: &[u32],
     limits: &[Vector3],
 ) -> Vec<Vector3> {
-    let facets = Facets { points: &coarse.points, topology, strata };
-    let n = topology.vertex_count();
+    let facets = Facets { points: &coarse.mesh.points, topology: &coarse.topology, strata };
+    let n = coarse.vertices();
     let first_new = listed.partition_point(|&v| (v as usize) < n);
     let new = listed[first_new..].par_iter().with_min_len(CHUNK).zip(&limits[first_new..]);
+    let edge_of = |v: u32| coarse.edge(v as usize - n);
     let moved: Vec<Vector3> =
-        new.map(|(&v, &limit)| facets.displacement(v - n as u32, limit)).collect();
-    let mut displacements = vec![[0.0; 3]; fine_topology.vertex_count()];
-    let mut is_inner = vec![true; topology.edges().len()];
+        new.map(|(&v, &limit)| facets.displacement(edge_of(v), limit)).collect();
+    let mut displacements = filled([0.0; 3], fine.topology.vertex_count());
+    let mut is_inner = vec![true; coarse.edges()];
     for (&vertex, moved) in listed[first_new..].iter().zip(moved) {
         displacements[vertex as usize] = moved;
         is_inner[vertex as usize - n] = false;
     }
     let edges = (n as u32..).zip(is_inner);
     let inner: Vec<u32> = edges.filter(|&(_, is_inner)| is_inner).map(|(v, _)| v).collect();
-    spread(fine_topology, &inner, &mut displacements);
-    let midpoints = topology.edges().par_iter().map(|&ends| facets.midpoint(ends));
-    let linear = coarse.points.par_iter().copied().chain(midpoints);
-    linear.zip(displacements).map(|(point, displacement)| add(point, displacement)).collect()
+    spread(fine, &inner, &mut displacements);
+    let midpoint =
+        |edge: usize| facets.midpoint(coarse.topology.edges()[coarse.edge(edge) as usize]);
+    let midpoints = (0..coarse.edges()).into_par_iter().map(midpoint);
+    let linear = coarse.mesh.points[..n].par_iter().copied().chain(midpoints);
+    let displacements = &displacements[..fine.vertices()];
+    linear.zip(displacements).map(|(point, &displacement)| add(point, displacement)).collect()
 }
 
 /// The facets of the coarse surfaces.

@@ -3,6 +3,7 @@
 use rayon::prelude::*;
 
 use super::block::Block;
+use crate::core::mirrors::Unfolded;
 use crate::refinement::subdivision_matrix::SubdivisionMatrix;
 use crate::subdivide::rules::limit::LimitRules;
 use octruss_base::ragged::CHUNK;
@@ -35,15 +36,17 @@ pub(super) struct Solved {
 /// what that leaves.
 pub(super) fn control_points(
     rules: &LimitRules,
-    points: &[Vector3],
+    mesh: &Unfolded,
     listed: &[u32],
     edge_length: f64,
 ) -> Solved {
-    let limit = SubdivisionMatrix::from_rows(listed.len(), points.len(), |row, entries| {
+    let columns = mesh.topology.vertex_count();
+    let limit = SubdivisionMatrix::from_rows(listed.len(), columns, |row, entries| {
         rules.row(listed[row], entries);
     });
     let tolerance = SMALL * edge_length;
-    let system = System { rules, limit, points, listed };
+    let points = &mesh.mesh.points[..mesh.vertices()];
+    let system = System { rules, mesh, limit, points, listed };
     let has_darts = listed.iter().any(|&v| rules.is_dart(v));
     let blocks = [1, 2].map(|dimension| system.block(dimension));
     let mut solved =
@@ -68,7 +71,8 @@ pub(super) fn control_points(
 
 struct System<'a> {
     rules: &'a LimitRules<'a>,
-    /// Λ, one row for each listed vertex.
+    mesh: &'a Unfolded<'a>,
+    /// Λ, one row for each listed vertex; columns are unfolded vertices.
     limit: SubdivisionMatrix,
     points: &'a [Vector3],
     listed: &'a [u32],
@@ -76,7 +80,7 @@ struct System<'a> {
 
 impl System<'_> {
     /// The equations of the strata of a dimension, scaled so that they are symmetric.
-    fn block(&self, dimension: u8) -> Block {
+    fn block(&self, dimension: u8) -> Block<'_> {
         let rules = self.rules;
         let own = |vertex: u32| {
             let is_of = rules.strata.vertex_dimensions[vertex as usize] == dimension;
@@ -85,12 +89,12 @@ impl System<'_> {
         let unknowns = self.listed.iter().copied().filter(|&v| own(v).is_some()).collect();
         let own = |vertex| own(vertex).expect("an unknown");
         let neighbours = |vertex| rules.neighbours(vertex).iter().copied();
-        Block::new(unknowns, self.points.len(), (own, 1.0), neighbours)
+        Block::new(unknowns, self.mesh, (own, 1.0), neighbours)
     }
 
     /// p − Λ c, for each listed vertex.
     fn residuals(&self, control_points: &[Vector3]) -> Vec<Vector3> {
-        let limits = self.limit.apply(control_points);
+        let limits = self.limit.apply(&self.mesh.with_images(control_points));
         let pairs = limits.par_iter().with_min_len(CHUNK).zip(self.listed);
         pairs.map(|(&limit, &v)| subtract(self.points[v as usize], limit)).collect()
     }

@@ -2,7 +2,8 @@
 
 use rayon::prelude::*;
 
-use crate::core::topology::{Topology, VertexEdges};
+use crate::core::mirrors::Unfolded;
+use crate::core::topology::VertexEdges;
 use octruss_base::ragged::CHUNK;
 use octruss_base::vector3::{Vector3, add, scale};
 
@@ -12,9 +13,12 @@ const SWEEPS: usize = 8;
 
 /// Gives each of these vertices the mean displacement of its neighbours, some times over
 /// (Jacobi's iteration); the others keep theirs.
-pub(super) fn spread(topology: &Topology, inner: &[u32], displacements: &mut [Vector3]) {
+/// There is one for each unfolded vertex; those of images are made by this.
+pub(super) fn spread(mesh: &Unfolded, inner: &[u32], displacements: &mut [Vector3]) {
+    let topology = &*mesh.topology;
     let incident = VertexEdges::new(topology);
     for _ in 0..SWEEPS {
+        mesh.turn_images(displacements);
         let mean = |&v: &u32| {
             let edges = incident.of(v as usize);
             let ends = edges.iter().map(|&edge| topology.edges()[edge as usize]);

@@ -47,6 +47,7 @@ pub fn split_tags(
                 cell_states,
                 corners: features.corners.clone(),
                 surfaces: features.surfaces.clone(),
+                mirrors: features.mirrors.clone(),
                 initial_quality: features.initial_quality,
                 // Those of the fine mesh are for the step to refine.
                 control_points: None,

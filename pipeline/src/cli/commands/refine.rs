@@ -11,6 +11,7 @@ use octruss::stages::{Check, Import, Stage, Subdivide, Workplace};
 use octruss_base::choice::Named;
 use octruss_mesh::{CurveEnds, Diagonal, Marking};
 use octruss_meshio::{Dataset, check_target};
+use toml::Spanned;
 
 use crate::cli::display::Display;
 use crate::cli::say::say;
@@ -48,6 +49,10 @@ pub struct Refine {
     /// --interpolate, else fixed]
     #[arg(long, value_name = "RULE")]
     curve_ends: Option<Named<CurveEnds>>,
+    /// A flat surface that is a plane of symmetry, by name; may be given several times:
+    /// what ends there goes on as if reflected
+    #[arg(long, value_name = "SURFACE")]
+    mirror: Vec<String>,
     /// Edges stay sharp where outward normals differ by more; 180 for none by angle (curve
     /// groups and where surfaces meet stay) [default: 40]
     #[arg(long, value_name = "DEG")]
@@ -98,6 +103,9 @@ impl Refine {
                 levels: self.levels,
                 interpolate: self.interpolate,
                 curve_ends: self.curve_ends,
+                mirror: (!self.mirror.is_empty()).then(|| {
+                    self.mirror.iter().map(|name| Spanned::new(0..0, name.clone())).collect()
+                }),
                 crease_angle: self.crease_angle,
                 group_borders: self.group_borders,
                 marking: self.marking,

@@ -1,6 +1,6 @@
 //! What stays sharp, from the keys of the stage.
 
-use octruss_mesh::{ExtraFeatures, FeatureOptions, TetMesh};
+use octruss_mesh::{ExtraFeatures, FeatureOptions, Mirrors, Scheme, TetMesh, mirror_candidates};
 
 use super::keys::Subdivide;
 use crate::error::Error;
@@ -29,6 +29,7 @@ impl Subdivide {
             group_points,
             group_borders,
             surfaces,
+            mirror,
             extra_creases,
             extra_corners,
         );
@@ -82,7 +83,32 @@ impl Subdivide {
             group_points: self.group_points.unwrap_or(defaults.group_points),
             group_borders: self.group_borders.map_or(defaults.group_borders, |key| key.0),
             surfaces,
+            mirrors: self.mirrors(mesh, context)?,
             extra,
         })
+    }
+    fn mirrors(&self, mesh: &TetMesh, context: &Context) -> Result<Mirrors, Error> {
+        let mut groups = Vec::new();
+        for name in self.mirror.iter().flatten() {
+            groups.extend(group_ids(mesh.raw(), 2, name, context)?);
+        }
+        Mirrors::new(mesh, &groups).map_err(|error| context.request(error.to_string()))
+    }
+
+    /// A note about surfaces that look like planes of symmetry, where nothing is known of any.
+    pub(super) fn proposed_mirrors(&self, mesh: &TetMesh) -> Option<String> {
+        if self.scheme() == Scheme::Linear || self.mirror.is_some() || mesh.features().is_some() {
+            return None;
+        }
+        let found = mirror_candidates(mesh).into_iter();
+        let mut names: Vec<String> = found.map(|id| mesh.raw().group_name(2, id)).collect();
+        names.sort();
+        names.dedup();
+        let (first, more) = names.split_first()?;
+        let named = more.iter().fold(format!("`{first}`"), |all, name| format!("{all}, `{name}`"));
+        Some(format!(
+            "flat, with round surfaces that end there at right angles: {named}; where this is a \
+             plane of symmetry, name it in `mirror`, and they go on as if reflected"
+        ))
     }
 }

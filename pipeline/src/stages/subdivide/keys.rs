@@ -30,6 +30,9 @@ pub struct Subdivide {
     /// The rule where curves end at corners: `parabola` where the surface passes through the
     /// input unless given, else `fixed`.
     pub curve_ends: Option<Named<CurveEnds>>,
+    /// Flat surface groups that are planes of symmetry, by name: curves and surfaces that end
+    /// there go on as if reflected.
+    pub mirror: Option<Vec<Spanned<String>>>,
     /// Which inner diagonal splits a tet.
     pub diagonal: Named<Diagonal>,
     /// Keep the mean ratio η above this by pulling vertices back towards the
@@ -74,6 +77,7 @@ impl Default for Subdivide {
             interior: None,
             interpolate: None,
             curve_ends: None,
+            mirror: None,
             diagonal: Named(Diagonal::default()),
             min_quality: None,
             jumps: Vec::new(),

@@ -24,6 +24,7 @@ impl Subdivide {
         let mesh = context.needed(state.mesh.finest())?;
         self.refuse_too_many(mesh.tets().len(), context)?;
         let mut notes = self.without_effect(mesh);
+        notes.extend(self.proposed_mirrors(mesh));
         let features = self.feature_options(mesh, context)?;
         // A mesh with features is marked already.
         let unmarked = mesh.features().is_none();

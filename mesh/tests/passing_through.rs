@@ -16,6 +16,7 @@ const THROUGH: Step = Step {
     diagonal: octruss_mesh::Diagonal::Inherit,
     min_quality: None,
     interpolate: true,
+    project_limit: false,
     curve_ends: None,
 };
 

@@ -28,7 +28,7 @@ pub enum MirrorError {
     #[error(
         "surface {group} cannot be a mirror plane: it is up to {distance:.3e} away from the \
          plane nearest to it and up to {degrees:.3} degrees inclined to it, where {allowed:.1e} \
-         and 1 degree are allowed; name a flat surface"
+         and 1 degree are allowed; name a flat surface, and give planes at an angle a group each"
     )]
     NotFlat {
         /// The name of the group.

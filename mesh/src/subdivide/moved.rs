@@ -35,7 +35,7 @@ impl Moved {
     }
 
     /// Towards the limit of control points; the rows follow.
-    pub fn through_the_input(pass: &Pass) -> Self {
+    pub fn to_the_limit(pass: &Pass) -> Self {
         let Passed { points, control_points, report, pulls } = pass.pass();
         let coarse = pass.coarse;
         let length = mean_edge_length(&coarse.mesh.points, &coarse.topology);
@@ -46,7 +46,7 @@ impl Moved {
             mirrored: None,
             guard: pulls.map(|pulls| pulls.report),
             control_points: Some(control_points),
-            interpolation: Some(report),
+            interpolation: pass.interpolates.then_some(report),
         }
     }
 

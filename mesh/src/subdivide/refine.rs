@@ -81,14 +81,16 @@ pub fn subdivide(
         parents: &parents,
         fine_tets: &fine.tets,
     };
-    let moved = match step.solves_for_control_points() {
+    let moved = match step.solves_for_control_points() || step.projects() {
         false => Moved::by_rows(&unfolded, matrix, min_quality.map(guard)),
-        true => Moved::through_the_input(&Pass {
+        true => Moved::to_the_limit(&Pass {
             coarse: &unfolded,
             mesh: coarse,
             fine: unfolded.refined(&fine, &split.topology),
             matrix: &matrix,
             curve_ends: step.resolved_curve_ends(),
+            interpolates: step.solves_for_control_points(),
+            projects: step.projects(),
             guard: &guard(min_quality.unwrap_or_else(|| usual_floor(mesh))),
             is_guarded: min_quality.is_some(),
         }),

@@ -33,6 +33,10 @@ pub struct Step {
     /// points that are solved for; see [`crate::ControlPoints`]. Schemes that keep
     /// vertices do so anyway, and are as without.
     pub interpolate: bool,
+    /// Whether vertices of curves and surfaces are put onto the limit of further steps. What
+    /// these need is kept as [`crate::ControlPoints`]: a step that interpolates goes on
+    /// with the same surface. Schemes that keep vertices are as without.
+    pub project_limit: bool,
     /// The rule at the ends of curves; `None` for parabolas where the step interpolates,
     /// fixed ends elsewhere.
     pub curve_ends: Option<CurveEnds>,
@@ -44,12 +48,19 @@ impl Step {
         self.interpolate && !self.scheme.keeps_vertices()
     }
 
+    /// Whether boundary vertices are put onto the limit.
+    pub(crate) fn projects(&self) -> bool {
+        self.project_limit && !self.scheme.keeps_vertices()
+    }
+
     /// Whether some weights may be negative, so that values may leave the range of their
     /// stencil: those of some schemes, of parabolas, and of rows made exact for points on
     /// a surface that was not theirs.
     pub fn overshoots(&self) -> bool {
         let keeps = self.scheme.keeps_vertices();
-        let changes = self.interpolate || self.resolved_curve_ends() == CurveEnds::Parabola;
+        let changes = self.interpolate
+            || self.project_limit
+            || self.resolved_curve_ends() == CurveEnds::Parabola;
         self.scheme.overshoots() || (!keeps && changes)
     }
 
@@ -97,6 +108,7 @@ impl From<Scheme> for Step {
             diagonal: Diagonal::Inherit,
             min_quality: None,
             interpolate: false,
+            project_limit: false,
             curve_ends: None,
         }
     }

@@ -82,10 +82,12 @@ impl Context<'_> {
 
     /// An error about a name that the config gives and the mesh does not have.
     pub(super) fn name_error(&self, name: &Spanned<String>, message: &str) -> Error {
-        let message = format!("stage `{}`: {message}", self.stage.label);
         match self.work.source {
-            Some(source) => Error::Name(source.error(&name.span(), message)),
-            None => self.request(message),
+            Some(source) => {
+                let message = format!("stage `{}`: {message}", self.stage.label);
+                Error::Name(source.error(&name.span(), message))
+            }
+            None => self.request(message.into()),
         }
     }
 

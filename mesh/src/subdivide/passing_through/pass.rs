@@ -1,4 +1,5 @@
-//! One step of a mesh whose limit passes through its boundary vertices.
+//! One step of a mesh whose limit passes through its boundary vertices, or whose boundary
+//! vertices are put onto the limit.
 
 use super::harmonic::extend;
 use super::place::along_normals;
@@ -16,6 +17,9 @@ use crate::subdivide::guard::{Guard, Pulls};
 use crate::subdivide::rules::limit::LimitRules;
 use octruss_base::vector3::{Vector3, length, subtract};
 
+/// A vertex so near to its limit, in mean edge lengths, is it.
+const ROUNDING: f64 = 1e-8;
+
 /// A step as passing through sees it.
 pub(crate) struct Step<'a> {
     pub coarse: &'a Unfolded<'a>,
@@ -26,6 +30,10 @@ pub(crate) struct Step<'a> {
     /// The scheme's; its columns are unfolded vertices.
     pub matrix: &'a SubdivisionMatrix,
     pub curve_ends: CurveEnds,
+    /// Whether the limit is to pass through the vertices of the input.
+    pub interpolates: bool,
+    /// Whether boundary vertices go to their limits, wherever these are.
+    pub projects: bool,
     pub guard: &'a Guard<'a>,
     /// Whether the guard pulls vertices back; if not, it is only asked whether it would,
     /// when the placement is chosen.
@@ -60,6 +68,10 @@ impl Step<'_> {
         let fine = FineStrata::new(&self.fine);
         let mut report = InterpolationReport::default();
         let recorded = self.mesh.features.as_ref().and_then(|all| all.control_points.as_ref());
+        if !self.interpolates {
+            let placed = self.project(&fine);
+            return self.guarded(placed, &fine, report);
+        }
         if let Some(recorded) = recorded {
             let control_points = recorded.of_all(&self.mesh.points);
             let placed = self.place(recorded.placement, &strata, &fine, &control_points);
@@ -75,6 +87,18 @@ impl Step<'_> {
         let at_limit = self.place(Placement::AtLimit, &strata, &fine, &control_points);
         let is_better = self.pulled_boundary(&at_limit, &fine) < pulled;
         self.guarded(if is_better { at_limit } else { normal }, &fine, report)
+    }
+
+    /// By the scheme's rows, then from curves and surfaces to their limits.
+    fn project(&self, fine: &FineStrata) -> Placed {
+        let control_points = self.matrix.apply(&self.coarse.mesh.points);
+        let mut points = control_points.clone();
+        for (&vertex, limit) in
+            fine.listed.iter().zip(fine.limits(self.curve_ends, &control_points))
+        {
+            points[vertex as usize] = limit;
+        }
+        Placed { placement: Placement::AlongNormals, points, control_points }
     }
 
     fn solve(&self, strata: &Strata, report: &mut InterpolationReport) -> Vec<Vector3> {
@@ -109,13 +133,14 @@ impl Step<'_> {
             }
         }
         let limits = fine.limits(self.curve_ends, &refined);
-        let points = match placement {
+        let mut points = match placement {
             Placement::AlongNormals => {
-                along_normals((self.coarse, strata), &self.fine, &fine.listed, &limits)
+                let coarse = (self.coarse, strata);
+                along_normals(coarse, &self.fine, &fine.listed, &limits, self.projects)
             }
             Placement::AtLimit => {
                 let mut points = refined.clone();
-                for (&vertex, limit) in fine.listed.iter().zip(limits) {
+                for (&vertex, &limit) in fine.listed.iter().zip(&limits) {
                     // What is the limit of an old vertex, but for rounding, is that vertex.
                     let old = self.mesh.points.get(vertex as usize);
                     points[vertex as usize] = old.copied().unwrap_or(limit);
@@ -123,6 +148,18 @@ impl Step<'_> {
                 points
             }
         };
+        if self.projects {
+            // Vertices of the levels between stand beside their limits.
+            let rounding = ROUNDING * mean_edge_length(&self.mesh.points, &self.coarse.topology);
+            for (&vertex, limit) in
+                fine.listed.iter().zip(limits).take_while(|(v, _)| **v < n as u32)
+            {
+                let point = &mut points[vertex as usize];
+                if length(subtract(limit, *point)) > rounding {
+                    *point = limit;
+                }
+            }
+        }
         Placed { placement, points, control_points: refined }
     }
 

@@ -14,14 +14,17 @@ use octruss_base::vector3::{Vector3, add, cross, dot3, length, scale, subtract};
 /// their edges towards their limits, along the normal of the coarse facets, and on a
 /// crease at right angles to the edge. The coarse vertices stay.
 ///
-/// `limits` belong to `listed`, the fine vertices of curves and surfaces.
+/// `limits` belong to `listed`, the fine vertices of curves and surfaces. With `all_the_way`
+/// vertices go to their limits themselves.
 pub(super) fn along_normals(
     (coarse, strata): (&Unfolded, &Strata),
     fine: &Unfolded,
     listed: &[u32],
     limits: &[Vector3],
+    all_the_way: bool,
 ) -> Vec<Vector3> {
-    let facets = Facets { points: &coarse.mesh.points, topology: &coarse.topology, strata };
+    let (points, topology) = (&*coarse.mesh.points, &*coarse.topology);
+    let facets = Facets { points, topology, strata, all_the_way };
     let n = coarse.vertices();
     let first_new = listed.partition_point(|&v| (v as usize) < n);
     let new = listed[first_new..].par_iter().with_min_len(CHUNK).zip(&limits[first_new..]);
@@ -50,6 +53,7 @@ struct Facets<'a> {
     points: &'a [Vector3],
     topology: &'a Topology,
     strata: &'a Strata,
+    all_the_way: bool,
 }
 
 impl Facets<'_> {
@@ -62,6 +66,7 @@ impl Facets<'_> {
         let ends = self.topology.edges()[edge as usize];
         let to_limit = subtract(limit, self.midpoint(ends));
         match self.strata.edge_dimensions[edge as usize] {
+            _ if self.all_the_way => to_limit,
             1 => {
                 let [a, b] = ends.map(|v| self.points[v as usize]);
                 let along = component(to_limit, subtract(b, a)).unwrap_or([0.0; 3]);

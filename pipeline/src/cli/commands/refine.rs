@@ -45,6 +45,10 @@ pub struct Refine {
     #[arg(long, value_name = "BOOL", num_args = 0..=1, require_equals = true,
           default_missing_value = "true")]
     interpolate: Option<bool>,
+    /// Put the boundary vertices of the last level onto the limit of further ones; unless
+    /// --interpolate=false they are nearly there
+    #[arg(long)]
+    project_limit: bool,
     /// The rule where curves end at corners: parabola or fixed [default: parabola with
     /// --interpolate, else fixed]
     #[arg(long, value_name = "RULE")]
@@ -102,6 +106,7 @@ impl Refine {
                 scheme: self.scheme,
                 levels: self.levels,
                 interpolate: self.interpolate,
+                project_limit: self.project_limit,
                 curve_ends: self.curve_ends,
                 mirror: (!self.mirror.is_empty()).then(|| {
                     self.mirror.iter().map(|name| Spanned::new(0..0, name.clone())).collect()

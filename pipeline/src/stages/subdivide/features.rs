@@ -43,6 +43,7 @@ impl Subdivide {
         if self.scheme().keeps_vertices() {
             let given = [
                 ("interpolate", self.interpolate == Some(true)),
+                ("project-limit", self.project_limit),
                 ("curve-ends", self.curve_ends.is_some()),
             ];
             for (key, _) in given.into_iter().filter(|(_, is_given)| *is_given) {
@@ -52,7 +53,7 @@ impl Subdivide {
                 ));
             }
         }
-        if self.clamp && !self.step(mesh).overshoots() {
+        if self.clamp && !self.step(mesh, true).overshoots() {
             notes.push(format!(
                 "no weight of the {} scheme is negative: clamp without effect",
                 self.scheme().name()

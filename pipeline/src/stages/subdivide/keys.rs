@@ -27,6 +27,9 @@ pub struct Subdivide {
     /// unless given, and of no effect where a scheme keeps vertices; a mesh that was refined
     /// without goes on without.
     pub interpolate: Option<bool>,
+    /// Put the boundary vertices of the last level onto the limit of further ones. Unless
+    /// `interpolate` is false they are nearly there.
+    pub project_limit: bool,
     /// The rule where curves end at corners: `parabola` where the surface passes through the
     /// input unless given, else `fixed`.
     pub curve_ends: Option<Named<CurveEnds>>,
@@ -76,6 +79,7 @@ impl Default for Subdivide {
             tension: None,
             interior: None,
             interpolate: None,
+            project_limit: false,
             curve_ends: None,
             mirror: None,
             diagonal: Named(Diagonal::default()),

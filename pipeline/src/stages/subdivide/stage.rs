@@ -41,8 +41,9 @@ impl Subdivide {
         let mut clamped = 0;
         for number in 1..=usize::from(self.levels) {
             let what = format!("level {number} of {}", self.levels);
-            let (level, more) = context
-                .step(number, self.levels.into(), &what, || self.add_level(state, context))?;
+            let (level, more) = context.step(number, self.levels.into(), &what, || {
+                self.add_level(state, number == usize::from(self.levels), context)
+            })?;
             report.add(level);
             clamped += more;
         }
@@ -56,11 +57,12 @@ impl Subdivide {
     fn add_level(
         &self,
         state: &mut State,
+        is_last: bool,
         context: &Context,
     ) -> Result<((LevelReport, usize), String), Error> {
         let overshoot = if self.clamp { Overshoot::Clamp } else { Overshoot::Allow };
         let finest = context.needed(state.mesh.finest())?;
-        let step = self.step(finest);
+        let step = self.step(finest, is_last);
         let clamped = match state.refine(step, overshoot) {
             Ok(clamped) => clamped,
             Err(RefineError::Missing(missing)) => return context.needed(Err(missing)),

@@ -36,7 +36,7 @@ impl Subdivide {
         }
     }
 
-    pub(super) fn step(&self, coarse: &TetMesh) -> Step {
+    pub(super) fn step(&self, coarse: &TetMesh, is_last: bool) -> Step {
         let min_quality = match self.min_quality {
             // The linear rule is what the guard would pull back to.
             _ if self.scheme.0 == Scheme::Linear => None,
@@ -48,6 +48,7 @@ impl Subdivide {
             diagonal: self.diagonal.0,
             min_quality,
             interpolate: self.interpolates(coarse),
+            project_limit: self.project_limit && is_last,
             curve_ends: self.curve_ends.map(|ends| ends.0),
             ..self.scheme().into()
         }

@@ -181,15 +181,15 @@ impl<'a> Unfolded<'a> {
     }
 
     /// A vector by its components along the axes of the planes, where there are planes.
-    pub fn to_axes(&self, vector: Vector3) -> Vector3 {
+    pub fn components(&self, vector: Vector3) -> Vector3 {
         match &self.behind {
             Some(Behind { planes, .. }) => planes.axes().map(|axis| dot3(axis, vector)),
             None => vector,
         }
     }
 
-    /// The inverse of [`Self::to_axes`].
-    pub fn from_axes(&self, components: Vector3) -> Vector3 {
+    /// The inverse of [`Self::components`].
+    pub fn along_axes(&self, components: Vector3) -> Vector3 {
         match &self.behind {
             Some(Behind { planes, .. }) => {
                 let parts = planes.axes().iter().zip(components);

@@ -488,6 +488,33 @@ fn planes_stay_planes_and_are_handed_on() {
 }
 
 #[test]
+fn coordinates_of_single_precision_will_do() {
+    let mut part = Part::new("quarter plate", sector(0.25, [4, 2, 2]), &[X0, Y0]);
+    let mut random = Random::new(7);
+    let noise = || 1e-7 * (random.below(1000) as f64 / 500.0 - 1.0);
+    let coordinates = part.raw.points.as_flattened_mut().iter_mut();
+    coordinates.zip(std::iter::repeat_with(noise)).for_each(|(x, noise)| *x += noise);
+    let mesh = check(part.raw, &CheckOptions::default()).unwrap().mesh;
+    let mirrors = Mirrors::new(&mesh, &[1, 2]).unwrap();
+    for step in steps() {
+        let options = FeatureOptions { mirrors: mirrors.clone(), ..Default::default() };
+        let mut levels = Hierarchy::new(mesh.clone(), &options);
+        levels.subdivide(step).unwrap();
+        let report = levels.refinement(0).interpolation.unwrap_or_default();
+        assert!(
+            report.residual < 1e-10 && report.iterations.iter().all(|&n| n <= 25),
+            "{report:?}"
+        );
+        let fine = &levels.finest().mesh;
+        for (triangle, group) in fine.triangles().iter().filter(|(_, tag)| *tag != 9) {
+            let axis = group as usize - 1;
+            let off = triangle.map(|v| fine.points()[v as usize][axis].abs());
+            assert!(off.iter().all(|&off| off < 3e-7), "{step:?}: {off:?}");
+        }
+    }
+}
+
+#[test]
 fn numbers_of_threads_do_not_matter() {
     let run = |threads: usize| {
         let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();

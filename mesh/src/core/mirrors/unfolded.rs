@@ -199,6 +199,17 @@ impl<'a> Unfolded<'a> {
         }
     }
 
+    /// The part of a displacement of a vertex that leads along the planes that it lies on.
+    pub fn along_planes(&self, vertex: u32, displacement: Vector3) -> Vector3 {
+        let is_free = self.is_free(vertex);
+        if is_free == [true; 3] {
+            return displacement;
+        }
+        let components = self.components(displacement);
+        let free = |axis: usize| if is_free[axis] { components[axis] } else { 0.0 };
+        self.along_axes(std::array::from_fn(free))
+    }
+
     /// Which components, along the axes of the planes, a displacement of a vertex may have:
     /// none across a plane that it lies on.
     pub fn is_free(&self, vertex: u32) -> [bool; 3] {

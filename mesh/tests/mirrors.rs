@@ -2,111 +2,18 @@
 
 mod common;
 
-use common::bodies::{ball, bent, distance, radius, turned};
+use common::bodies::{bent, distance, radius, turned};
+use common::parts::{Part, X0, Y0, Z0, octant, sector};
 use common::random_block::Random;
 use common::reflected::{Pair, Plane, reflected};
 use octruss_mesh::{
-    CheckOptions, CurveEnds, Diagonal, FeatureOptions, Hierarchy, Marking, MirrorError, Mirrors,
-    Overshoot, Placement, RawMesh, Reason, Scheme, Sides, Step, Strata, SubdivisionMatrix, TetMesh,
-    check, limit_matrix, limit_positions, mirror_candidates, shapes,
+    CheckOptions, CurveEnds, Diagonal, FeatureOptions, Hierarchy, Marking, Mirrors, Overshoot,
+    Placement, Scheme, Sides, Step, Strata, SubdivisionMatrix, check, limit_matrix,
+    limit_positions,
 };
 
 const SCHEMES: [Scheme; 4] =
     [Scheme::BoxSpline, Scheme::Averaged, Scheme::LOOP_SOLID, Scheme::INTERPOLATORY];
-
-const X0: Plane = Plane { axis: 0, place: 0.0, group: 1 };
-const Y0: Plane = Plane { axis: 1, place: 0.0, group: 2 };
-const Z0: Plane = Plane { axis: 2, place: 0.0, group: 3 };
-
-/// A part of a body with the planes it lies between.
-struct Part {
-    name: &'static str,
-    raw: RawMesh,
-    planes: Vec<Plane>,
-}
-
-impl Part {
-    /// Tags what lies in the planes, and the rest as one surface.
-    fn new(name: &'static str, mesh: TetMesh, planes: &[Plane]) -> Self {
-        let mut raw = mesh.into_raw();
-        let topology = octruss_mesh::Topology::new(&raw);
-        raw.triangles = Default::default();
-        for (face, &triangle) in topology.faces().iter().enumerate() {
-            let lies_in = |plane: &&Plane| {
-                let off = |v: &u32| (raw.points[*v as usize][plane.axis] - plane.place).abs();
-                triangle.iter().all(|v| off(v) < 1e-9)
-            };
-            if topology.is_boundary(face) {
-                raw.triangles.push(triangle, planes.iter().find(lies_in).map_or(9, |p| p.group));
-            }
-        }
-        Self { name, raw, planes: planes.to_vec() }
-    }
-
-    /// With its vertices moved at random, those on planes within them.
-    fn shaken(mut self, most: f64) -> Self {
-        let mut random = Random::new(5);
-        for point in &mut self.raw.points {
-            for axis in 0..3 {
-                let stays = |p: &Plane| p.axis == axis && (point[axis] - p.place).abs() < 1e-9;
-                if !self.planes.iter().any(stays) {
-                    point[axis] += most * (random.below(1000) as f64 / 500.0 - 1.0);
-                }
-            }
-        }
-        self
-    }
-
-    fn pair(&self, options: &FeatureOptions, step: Step, levels: usize) -> Pair {
-        self.turned_pair(options, step, levels, |p| p)
-    }
-
-    /// Both turned alike.
-    fn turned_pair(
-        &self,
-        options: &FeatureOptions,
-        step: Step,
-        levels: usize,
-        turn: impl Fn([f64; 3]) -> [f64; 3],
-    ) -> Pair {
-        let (body, of) = reflected(&self.raw, &self.planes);
-        let [part, body] = [self.raw.clone(), body.into_raw()].map(|mut raw| {
-            raw.points.iter_mut().for_each(|point| *point = turn(*point));
-            check(raw, &Default::default()).unwrap().mesh
-        });
-        let groups: Vec<i32> = self.planes.iter().map(|plane| plane.group).collect();
-        let options = FeatureOptions { marking: Marking::AsOrdered, ..options.clone() };
-        let mirrors = Mirrors::new(&part, &groups).unwrap();
-        let mut part = Hierarchy::new(part, &FeatureOptions { mirrors, ..options.clone() });
-        let mut body = Hierarchy::new(body, &options);
-        for _ in 0..levels {
-            part.subdivide(step).unwrap();
-            body.subdivide(step).unwrap();
-        }
-        Pair::new(part, body, of)
-    }
-}
-
-/// A sector of a square plate about a hole, in so many cells round the hole.
-fn sector(turns: f64, cells: [u32; 3]) -> TetMesh {
-    let [round, across, through] = cells.map(f64::from);
-    bent(cells, |[x, y, z]| {
-        let [c, s, _] = turned(turns * x / round, 1.0, 0.0);
-        let radius = 1.0 + (2.0 / c.abs().max(s.abs()) - 1.0) * y / across;
-        let exact = |x: f64| if x.abs() < 1e-12 { 0.0 } else { x };
-        [exact(radius * c), exact(radius * s), z / through]
-    })
-}
-
-/// The tets of a ball with positive coordinates.
-fn octant(splits: usize) -> TetMesh {
-    let mut raw = ball(splits).into_raw();
-    let is_kept =
-        |tet: &[u32; 4]| tet.iter().all(|&v| raw.points[v as usize].iter().all(|x| *x > -1e-9));
-    raw.tets.retain(is_kept);
-    raw.regions = vec![0; raw.tets.len()];
-    check(raw, &CheckOptions::default()).unwrap().mesh
-}
 
 fn parts() -> Vec<Part> {
     vec![
@@ -423,7 +330,7 @@ fn a_hole_stays_round_up_to_its_planes() {
     // A facet of the input is 8.6e-3 off.
     assert!(miss < 2e-5, "{miss:e}");
     for (axis, on) in [(0, 1), (1, 0)] {
-        let [nearest, next] = first_two_on_the_rim(levels.finest().mesh.points(), axis, on);
+        let [nearest, next] = first_two_on_the_rim(levels.finest().mesh.points(), axis);
         // The tangent at the plane is perpendicular to it, to the second order.
         assert!((nearest[on] - 1.0).abs() < 2e-5 && nearest[axis].abs() < 1e-14);
         let angle = next[axis].atan2(next[on]);
@@ -432,36 +339,11 @@ fn a_hole_stays_round_up_to_its_planes() {
 }
 
 /// Of the rim of the hole at the bottom, the vertex in a plane and the next.
-fn first_two_on_the_rim(points: &[[f64; 3]], axis: usize, _on: usize) -> [[f64; 3]; 2] {
+fn first_two_on_the_rim(points: &[[f64; 3]], axis: usize) -> [[f64; 3]; 2] {
     let rim = points.iter().copied().filter(|p| p[2] == 0.0 && radius(*p) < 1.02);
     let mut rim: Vec<[f64; 3]> = rim.collect();
     rim.sort_by(|p, q| p[axis].total_cmp(&q[axis]));
     [rim[0], rim[1]]
-}
-
-#[test]
-fn curves_on_the_rim_of_a_plane_are_no_creases_for_their_tags() {
-    let mut part = Part::new("quarter plate", sector(0.25, [4, 2, 2]), &[X0, Y0]);
-    let topology = octruss_mesh::Topology::new(&part.raw);
-    let in_plane = |v: &u32| part.raw.points[*v as usize][0].abs() < 1e-9;
-    let rim: Vec<[u32; 2]> =
-        topology.edges().iter().copied().filter(|ends| ends.iter().all(in_plane)).collect();
-    rim.iter().for_each(|&ends| part.raw.edges.push(ends, 3));
-    let mesh = check(part.raw, &CheckOptions::default()).unwrap().mesh;
-    let mirrors = Mirrors::new(&mesh, &[1, 2]).unwrap();
-    let options = FeatureOptions { mirrors, ..Default::default() };
-    let levels = Hierarchy::new(mesh, &options);
-    let level = levels.coarsest();
-    assert_eq!(level.mesh.edges().len(), rim.len());
-    let reasons = octruss_mesh::FeatureReasons::new(&level.mesh, &level.topology, Some(&options));
-    assert!(
-        reasons
-            .curves
-            .iter()
-            .all(|(ends, reason)| { *reason == Reason::Angle && !rim.contains(ends) })
-    );
-    // Three edges end at each plane; only corners outside are points.
-    assert_eq!(reasons.points.len(), 2);
 }
 
 #[test]
@@ -488,6 +370,33 @@ fn planes_stay_planes_and_are_handed_on() {
 }
 
 #[test]
+fn coordinates_of_single_precision_will_do() {
+    let mut part = Part::new("quarter plate", sector(0.25, [4, 2, 2]), &[X0, Y0]);
+    let mut random = Random::new(7);
+    let noise = || 1e-7 * (random.below(1000) as f64 / 500.0 - 1.0);
+    let coordinates = part.raw.points.as_flattened_mut().iter_mut();
+    coordinates.zip(std::iter::repeat_with(noise)).for_each(|(x, noise)| *x += noise);
+    let mesh = check(part.raw, &CheckOptions::default()).unwrap().mesh;
+    let mirrors = Mirrors::new(&mesh, &[1, 2]).unwrap();
+    for step in steps() {
+        let options = FeatureOptions { mirrors: mirrors.clone(), ..Default::default() };
+        let mut levels = Hierarchy::new(mesh.clone(), &options);
+        levels.subdivide(step).unwrap();
+        let report = levels.refinement(0).interpolation.unwrap_or_default();
+        assert!(
+            report.residual < 1e-10 && report.iterations.iter().all(|&n| n <= 25),
+            "{report:?}"
+        );
+        let fine = &levels.finest().mesh;
+        for (triangle, group) in fine.triangles().iter().filter(|(_, tag)| *tag != 9) {
+            let axis = group as usize - 1;
+            let off = triangle.map(|v| fine.points()[v as usize][axis].abs());
+            assert!(off.iter().all(|&off| off < 3e-7), "{step:?}: {off:?}");
+        }
+    }
+}
+
+#[test]
 fn numbers_of_threads_do_not_matter() {
     let run = |threads: usize| {
         let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
@@ -499,98 +408,4 @@ fn numbers_of_threads_do_not_matter() {
         })
     };
     assert!(run(1) == run(3));
-}
-
-#[test]
-fn what_is_no_mirror_plane_is_refused() {
-    let cube = shapes::kuhn_cube(2);
-    let refused = |mesh: &TetMesh, groups: &[i32]| Mirrors::new(mesh, groups).unwrap_err();
-    assert!(
-        matches!(refused(&cube, &[1, 17]), MirrorError::NoTriangles { group } if group == "17")
-    );
-    let changed = |change: &dyn Fn(&mut RawMesh)| {
-        let mut raw = cube.clone().into_raw();
-        change(&mut raw);
-        check(raw, &CheckOptions::default()).unwrap().mesh
-    };
-    // Vertex 12 is the middle of x = 0.
-    let bumpy = changed(&|raw| raw.points[12][0] = -0.01);
-    let error = refused(&bumpy, &[1]);
-    assert!(matches!(error, MirrorError::NotFlat { distance, .. } if distance > 1e-3), "{error}");
-    let inner = changed(&|raw| raw.triangles.push([1, 4, 13], 1));
-    let error = refused(&inner, &[1]);
-    assert!(matches!(error, MirrorError::NotOnBoundary { count: 1, .. }), "{error}");
-    let slanted = changed(&|raw| {
-        raw.points.iter_mut().for_each(|point| point[1] += 0.01 * point[0]);
-    });
-    let error = refused(&slanted, &[1, 3]);
-    let right = 0.01_f64.atan().to_degrees();
-    let is_right = |degrees: f64| (90.0 - degrees - right).abs() < 1e-6;
-    assert!(matches!(error, MirrorError::Oblique { degrees, .. } if is_right(degrees)), "{error}");
-    assert!(error.to_string().contains("x0") && error.to_string().contains("y0"), "{error}");
-    // Only a part of a face is named; the rest has all its vertices on it.
-    let partial = changed(&|raw| {
-        let first = raw.triangles.tags.iter().position(|&tag| tag == 1).unwrap();
-        raw.triangles.tags[first] = 8;
-    });
-    assert!(matches!(refused(&partial, &[1]), MirrorError::Gap { .. }));
-    assert_eq!(Mirrors::new(&partial, &[8, 1, 8]).unwrap().groups(), [1, 8]);
-    // An L of three cubes lies on both sides of a face in its corner.
-    let mut raw = shapes::kuhn_box([2, 2, 1], [2.0, 2.0, 1.0]).into_raw();
-    let points = raw.points.clone();
-    let is_cut = |tet: &[u32; 4]| tet.iter().all(|&v| (0..2).all(|k| points[v as usize][k] >= 1.0));
-    raw.tets.retain(|tet| !is_cut(tet));
-    raw.regions.truncate(raw.tets.len());
-    raw.triangles = Default::default();
-    let topology = octruss_mesh::Topology::new(&raw);
-    for (face, &triangle) in topology.faces().iter().enumerate() {
-        let lies_in = triangle.iter().all(|&v| points[v as usize][0] == 1.0);
-        if topology.is_boundary(face) && lies_in {
-            raw.triangles.push(triangle, 5);
-        }
-    }
-    let bent_back = check(raw, &CheckOptions::default()).unwrap().mesh;
-    let error = refused(&bent_back, &[5]);
-    assert!(matches!(error, MirrorError::Behind { distance: 1.0, .. }), "{error}");
-}
-
-/// Like [`Part::new`], but each side of a plate with its own surface.
-fn with_sides(mesh: TetMesh, planes: &[Plane]) -> TetMesh {
-    let mut raw = Part::new("", mesh, planes).raw;
-    for at in 0..raw.triangles.len() {
-        let vertices = raw.triangles.simplices[at];
-        let all_at = |z: f64| vertices.iter().all(|&v| raw.points[v as usize][2] == z);
-        let side = if all_at(0.0) { 20 } else { 21 };
-        if all_at(0.0) || all_at(1.0) {
-            raw.triangles.tags[at] = side;
-        }
-    }
-    check(raw, &CheckOptions::default()).unwrap().mesh
-}
-
-#[test]
-fn planes_that_round_surfaces_meet_are_proposed() {
-    let plate = sector(0.25, [6, 3, 2]);
-    assert_eq!(mirror_candidates(&with_sides(plate.clone(), &[X0, Y0])), [1, 2]);
-    let part = Part::new("octant", octant(2), &[X0, Y0, Z0]).raw;
-    let octant = check(part, &CheckOptions::default()).unwrap().mesh;
-    assert_eq!(mirror_candidates(&octant), [1, 2, 3]);
-    // Cells that take up turns of 2 to 1, in turns.
-    let uneven = bent([6, 2, 1], |[x, y, z]| {
-        let turn = (x + if x % 2.0 == 1.0 { 1.0 / 3.0 } else { 0.0 }) / 24.0;
-        turned(turn, 1.0 + y / 2.0, z)
-    });
-    assert_eq!(mirror_candidates(&with_sides(uneven, &[X0, Y0])), [1, 2]);
-    // Flat everywhere, inclined, or cut off a bulge beside its middle.
-    assert!(mirror_candidates(&shapes::kuhn_cube(2)).is_empty());
-    let of_base = |cells, shape: &dyn Fn([f64; 3]) -> [f64; 3]| {
-        let raw = Part::new("", bent(cells, shape), &[Z0]).raw;
-        mirror_candidates(&check(raw, &CheckOptions::default()).unwrap().mesh)
-    };
-    let narrowed = |by: fn(f64) -> f64| {
-        of_base([4, 4, 4], &move |[x, y, z]| [(x - 2.0) * by(z), (y - 2.0) * by(z), z])
-    };
-    assert!(narrowed(|z| 1.0 - 0.05 * z).is_empty());
-    assert!(narrowed(|z| 1.0 - 0.02 * (z + 1.0) * (z + 1.0)).is_empty());
-    assert_eq!(narrowed(|z| 1.0 - 0.02 * z * z), [3]);
 }

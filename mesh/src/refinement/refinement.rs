@@ -30,8 +30,8 @@ pub struct Refinement {
     /// The scheme that made it.
     pub scheme: Scheme,
     /// The scheme's matrix, n_fine × n_coarse: fine positions are matrix ×
-    /// coarse positions. Where the step interpolates, its rows are changed for that as
-    /// little as possible.
+    /// coarse positions. Where the step interpolates, and beside mirror planes, its rows are
+    /// changed for that as little as possible.
     pub matrix: SubdivisionMatrix,
     /// Where the coarse mesh has mirror planes, the matrix of fields that are alike on both
     /// sides of each, so that their slope across is 0. It reads the images of vertices as

@@ -4,6 +4,7 @@
 
 pub mod bodies;
 pub mod limit_body;
+pub mod parts;
 pub mod random_block;
 pub mod reflected;
 pub mod slow_surface;

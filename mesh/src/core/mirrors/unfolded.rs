@@ -181,15 +181,15 @@ impl<'a> Unfolded<'a> {
     }
 
     /// A vector by its components along the axes of the planes, where there are planes.
-    pub fn to_axes(&self, vector: Vector3) -> Vector3 {
+    pub fn components(&self, vector: Vector3) -> Vector3 {
         match &self.behind {
             Some(Behind { planes, .. }) => planes.axes().map(|axis| dot3(axis, vector)),
             None => vector,
         }
     }
 
-    /// The inverse of [`Self::to_axes`].
-    pub fn from_axes(&self, components: Vector3) -> Vector3 {
+    /// The inverse of [`Self::components`].
+    pub fn along_axes(&self, components: Vector3) -> Vector3 {
         match &self.behind {
             Some(Behind { planes, .. }) => {
                 let parts = planes.axes().iter().zip(components);
@@ -197,6 +197,17 @@ impl<'a> Unfolded<'a> {
             }
             None => components,
         }
+    }
+
+    /// The part of a displacement of a vertex that leads along the planes that it lies on.
+    pub fn along_planes(&self, vertex: u32, displacement: Vector3) -> Vector3 {
+        let is_free = self.is_free(vertex);
+        if is_free == [true; 3] {
+            return displacement;
+        }
+        let components = self.components(displacement);
+        let free = |axis: usize| if is_free[axis] { components[axis] } else { 0.0 };
+        self.along_axes(std::array::from_fn(free))
     }
 
     /// Which components, along the axes of the planes, a displacement of a vertex may have:

@@ -73,7 +73,7 @@ impl<'a> Block<'a> {
             let all_small = residual.par_iter().with_min_len(CHUNK).enumerate();
             let whole = |i: usize, r: [f64; 3]| r.map(|r| r / self.share(i));
             if all_small.all(|(i, &r)| is_small(i, whole(i, r))) {
-                return (self.from_axes(x), iteration);
+                return (self.along_axes(x), iteration);
             }
             let product = self.apply(&direction);
             let step = quotients(energy, dot(&direction, &product));
@@ -86,7 +86,7 @@ impl<'a> Block<'a> {
             pairs.for_each(|(p, z)| *p = std::array::from_fn(|k| z[k] + keep[k] * p[k]));
             energy = next;
         }
-        (self.from_axes(x), MOST_ITERATIONS)
+        (self.along_axes(x), MOST_ITERATIONS)
     }
 
     fn share(&self, unknown: usize) -> f64 {
@@ -96,13 +96,14 @@ impl<'a> Block<'a> {
     /// The right-hand side as the equations are: along the axes of mirror planes, shared.
     fn shared(&self, rhs: &[[f64; 3]]) -> Vec<[f64; 3]> {
         let each = rhs.par_iter().with_min_len(CHUNK).enumerate();
-        let shared = each
-            .map(|(i, &b)| self.free_part(i, self.unfolded.to_axes(b).map(|b| self.share(i) * b)));
+        let shared = each.map(|(i, &b)| {
+            self.free_part(i, self.unfolded.components(b).map(|b| self.share(i) * b))
+        });
         shared.collect()
     }
 
-    fn from_axes(&self, x: Vec<[f64; 3]>) -> Vec<[f64; 3]> {
-        x.into_par_iter().with_min_len(CHUNK).map(|x| self.unfolded.from_axes(x)).collect()
+    fn along_axes(&self, x: Vec<[f64; 3]>) -> Vec<[f64; 3]> {
+        x.into_par_iter().with_min_len(CHUNK).map(|x| self.unfolded.along_axes(x)).collect()
     }
 
     /// A vector without the components that an unknown has not.

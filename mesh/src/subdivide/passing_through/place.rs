@@ -3,12 +3,16 @@
 use rayon::prelude::*;
 
 use super::spread::spread;
+use crate::core::edge_length::mean_edge_length;
 use crate::core::mirrors::Unfolded;
 use crate::core::strata::Strata;
 use crate::core::topology::Topology;
 use octruss_base::large_array::filled;
 use octruss_base::ragged::CHUNK;
 use octruss_base::vector3::{Vector3, add, cross, dot3, length, scale, subtract};
+
+/// In mean edge lengths, what solving for control points leaves, ten times over.
+const ROUNDING: f64 = 1e-9;
 
 /// The positions of a fine mesh with new boundary vertices moved from the midpoints of
 /// their edges towards their limits, along the normal of the coarse facets, and on a
@@ -23,8 +27,9 @@ pub(super) fn along_normals(
     limits: &[Vector3],
     all_the_way: bool,
 ) -> Vec<Vector3> {
+    let rounding = ROUNDING * mean_edge_length(&coarse.mesh.points, &coarse.topology);
     let (points, topology) = (&*coarse.mesh.points, &*coarse.topology);
-    let facets = Facets { points, topology, strata, all_the_way };
+    let facets = Facets { points, topology, strata, all_the_way, rounding };
     let n = coarse.vertices();
     let first_new = listed.partition_point(|&v| (v as usize) < n);
     let new = listed[first_new..].par_iter().with_min_len(CHUNK).zip(&limits[first_new..]);
@@ -54,6 +59,8 @@ struct Facets<'a> {
     topology: &'a Topology,
     strata: &'a Strata,
     all_the_way: bool,
+    /// A displacement as short as this is rounding.
+    rounding: f64,
 }
 
 impl Facets<'_> {
@@ -61,8 +68,14 @@ impl Facets<'_> {
         scale(0.5, add(self.points[a as usize], self.points[b as usize]))
     }
 
-    /// How far the new vertex of an edge is moved from the midpoint.
+    /// How far the new vertex of an edge is moved from the midpoint. On a flat face not at
+    /// all: else rows that read the face alone could not be made exact.
     fn displacement(&self, edge: u32, limit: Vector3) -> Vector3 {
+        let displacement = self.towards(edge, limit);
+        if length(displacement) <= self.rounding { [0.0; 3] } else { displacement }
+    }
+
+    fn towards(&self, edge: u32, limit: Vector3) -> Vector3 {
         let ends = self.topology.edges()[edge as usize];
         let to_limit = subtract(limit, self.midpoint(ends));
         match self.strata.edge_dimensions[edge as usize] {

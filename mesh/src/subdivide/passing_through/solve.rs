@@ -92,11 +92,14 @@ impl System<'_> {
         Block::new(unknowns, self.mesh, (own, 1.0), neighbours)
     }
 
-    /// p − Λ c, for each listed vertex.
+    /// p − Λ c, for each listed vertex; across a mirror plane nothing is to be solved.
     fn residuals(&self, control_points: &[Vector3]) -> Vec<Vector3> {
         let limits = self.limit.apply(&self.mesh.with_images(control_points));
         let pairs = limits.par_iter().with_min_len(CHUNK).zip(self.listed);
-        pairs.map(|(&limit, &v)| subtract(self.points[v as usize], limit)).collect()
+        let residual = |(&limit, &v): (&Vector3, &u32)| {
+            self.mesh.along_planes(v, subtract(self.points[v as usize], limit))
+        };
+        pairs.map(residual).collect()
     }
 
     /// Solves a block for what is left, and adds it; the number of iterations.

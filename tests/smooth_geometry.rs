@@ -107,3 +107,20 @@ fn keys_that_a_scheme_has_no_use_for_are_remarked() {
         assert!(stderr(&output).contains(&says), "{}", stderr(&output));
     }
 }
+
+#[test]
+fn what_was_refined_as_published_goes_on_so() {
+    let folder = tempfile::tempdir().unwrap();
+    let refine = |from: &str, to: &str, levels: &str, more: &[&str]| {
+        let arguments = ["refine", from, to, "--scheme", "box-spline", "--levels", levels];
+        succeed(folder.path(), &[&arguments[..], more].concat());
+        std::fs::read(folder.path().join(to)).unwrap()
+    };
+    let bracket = mesh("bracket");
+    for diagonal in ["inherit", "shortest-each-level"] {
+        let published = ["--interpolate=false", "--diagonal", diagonal];
+        refine(&bracket, "once.vtu", "1", &published);
+        let twice = refine("once.vtu", "twice.vtu", "1", &published[1..]);
+        assert!(twice == refine(&bracket, "both.vtu", "2", &published), "{diagonal}");
+    }
+}

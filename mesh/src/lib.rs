@@ -67,6 +67,7 @@ mod transfer;
 
 pub use core::bodies::{Bodies, Hinge};
 pub use core::control_points::{ControlPoints, Placement};
+pub use core::curve_ends::CurveEnds;
 pub use core::locality::{Renumbering, sort_along_curve};
 pub use core::raw_mesh::{Features, Group, RawMesh, Tagged};
 pub use core::reference_tet::CellState;
@@ -96,7 +97,6 @@ pub use soundness::check::{CheckError, CheckOptions, Checked, check, findings};
 pub use soundness::finding::{Finding, FindingKind};
 pub use soundness::quality;
 pub use subdivide::assemble_matrix::subdivision_matrix;
-pub use subdivide::curve_ends::CurveEnds;
 pub use subdivide::error::SubdivideError;
 pub use subdivide::guard;
 pub use subdivide::refine::subdivide;

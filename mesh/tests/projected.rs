@@ -2,12 +2,17 @@
 
 mod common;
 
-use common::bodies::ball;
+use common::bodies::{ball, pipe as pipe_of};
 use octruss_mesh::{
     CurveEnds, FeatureOptions, Hierarchy, Scheme, Step, TetMesh, guard, limit_matrix,
 };
 
 const SCHEMES: [Scheme; 3] = [Scheme::BoxSpline, Scheme::Averaged, Scheme::LOOP_SOLID];
+
+/// With creases that end nowhere and, since it is cut open, corners.
+fn pipe() -> TetMesh {
+    pipe_of([12, 1, 2], [1.5, 2.0], 3.0)
+}
 
 fn levels(mesh: TetMesh, step: Step, count: usize) -> Hierarchy {
     let mut levels = Hierarchy::new(mesh, &FeatureOptions::default());
@@ -45,6 +50,8 @@ fn the_boundary_is_on_the_limit_and_the_rows_lead_there() {
         let carried = refinement.matrix.apply(projected.levels()[1].mesh.points());
         assert!(largest_distance(&carried, points) < 1e-12);
         assert!(refinement.interpolation.is_none());
+        let distances = projected.limit_distances(2, step);
+        assert!(distances.largest < 1e-12, "{scheme:?}: {distances:?}");
     }
 }
 
@@ -53,10 +60,28 @@ fn a_step_that_interpolates_goes_on_with_the_surface_of_a_projected_level() {
     let plain = Step::from(Scheme::BoxSpline);
     let projected = levels(ball(2), Step { project_limit: true, ..plain }, 1);
     let mut further = Hierarchy::new(projected.into_finest().mesh, &FeatureOptions::default());
-    let through = Step { interpolate: true, curve_ends: Some(CurveEnds::Fixed), ..plain };
+    // With the ends of curves that are recorded, not those that it would choose itself.
+    let through = Step { interpolate: true, ..plain };
     further.subdivide(through).unwrap();
     let distances = further.limit_distances(1, through);
     assert!(distances.input_largest < 1e-12, "{distances:?}");
+}
+
+#[test]
+fn projecting_every_level_leads_to_the_same_surface() {
+    let step = Step { project_limit: true, ..Scheme::BoxSpline.into() };
+    let once = levels(pipe(), step, 2);
+    let mut twice = Hierarchy::new(pipe(), &FeatureOptions::default());
+    (0..2).for_each(|_| twice.subdivide(step).unwrap());
+    let strata = |level: &octruss_mesh::Level| {
+        let features = level.mesh.features().unwrap();
+        octruss_mesh::Strata::new(level.mesh.raw(), &level.topology, features)
+    };
+    let dimensions = strata(once.finest()).vertex_dimensions;
+    let pairs = once.finest().mesh.points().iter().zip(twice.finest().mesh.points());
+    for ((a, b), _) in pairs.zip(dimensions).filter(|(_, dimension)| *dimension < 3) {
+        assert!(largest_distance(&[*a], &[*b]) < 1e-12);
+    }
 }
 
 #[test]

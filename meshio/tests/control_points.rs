@@ -1,7 +1,8 @@
 //! Control points that go with a mesh through a file.
 
 use octruss_mesh::{
-    CheckOptions, ControlPoints, Hierarchy, Placement, Scheme, Step, TetMesh, check, shapes,
+    CheckOptions, ControlPoints, CurveEnds, Hierarchy, Placement, Scheme, Step, TetMesh, check,
+    shapes,
 };
 use octruss_meshio::{Dataset, read, vtu};
 
@@ -76,11 +77,12 @@ fn doubles(values: &[f64]) -> Vec<u8> {
 #[test]
 fn control_points_in_any_order_are_sorted() {
     let bytes = doubles(&[3.0, 3.5, 3.25, 1.0, 1.5, 1.25]);
-    let found = tet_with("3 1", &bytes, "1").unwrap().mesh.features.unwrap().control_points;
+    let found = tet_with("3 1", &bytes, "1 0").unwrap().mesh.features.unwrap().control_points;
     let expected = ControlPoints {
         vertices: vec![1, 3],
         positions: vec![[1.0, 1.5, 1.25], [3.0, 3.5, 3.25]],
         placement: Placement::AtLimit,
+        curve_ends: CurveEnds::Fixed,
     };
     assert_eq!(found, Some(expected));
 }
@@ -89,10 +91,12 @@ fn control_points_in_any_order_are_sorted() {
 fn broken_control_points_are_told() {
     let sound = doubles(&[1.0, 2.0, 3.0]);
     for (vertices, bytes, placement, array) in [
-        ("1 2", &sound[..], "0", "octruss:control_points"),
-        ("1", &sound[..23], "0", "octruss:control_points"),
-        ("1", &doubles(&[1.0, f64::NAN, 3.0])[..], "0", "octruss:control_points"),
-        ("1", &sound[..], "2", "octruss:control_placement"),
+        ("1 2", &sound[..], "0 1", "octruss:control_points"),
+        ("1", &sound[..23], "0 1", "octruss:control_points"),
+        ("1", &doubles(&[1.0, f64::NAN, 3.0])[..], "0 1", "octruss:control_points"),
+        ("1", &sound[..], "2 1", "octruss:control_placement"),
+        ("1", &sound[..], "0 2", "octruss:control_placement"),
+        ("1", &sound[..], "0", "octruss:control_placement"),
         ("1", &sound[..], "", "octruss:control_placement"),
     ] {
         let message = tet_with(vertices, bytes, placement).unwrap_err();
@@ -102,7 +106,7 @@ fn broken_control_points_are_told() {
 
 #[test]
 fn control_points_of_vertices_that_are_not_there_are_left_out() {
-    let found = tet_with("4", &doubles(&[1.0, 2.0, 3.0]), "0").unwrap();
+    let found = tet_with("4", &doubles(&[1.0, 2.0, 3.0]), "0 1").unwrap();
     assert!(found.mesh.features.is_none());
     assert_eq!(found.notes.len(), 1);
 }

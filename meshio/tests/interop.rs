@@ -77,6 +77,7 @@ fn rich_dataset(cells: u32, parts: f64) -> Dataset {
         surfaces: vec![6],
         mirrors: vec![],
         cell_states: vec![],
+        smoothed: false,
         control_points: None,
     });
     let float = |count: usize| Values::Float((0..count).map(|i| i as f64 / parts - 3.0).collect());

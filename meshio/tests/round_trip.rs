@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use octruss_mesh::{
-    CellState, ControlPoints, Features, Group, Level, Placement, RawMesh, Tagged, shapes,
+    CellState, ControlPoints, CurveEnds, Features, Group, Level, Placement, RawMesh, Tagged, shapes,
 };
 use octruss_meshio::vtu::{Compression, VtuOptions};
 use octruss_meshio::{
@@ -155,10 +155,12 @@ fn features_come_back_even_if_there_are_none() {
             surfaces: vec![2],
             mirrors: vec![-3, 1],
             cell_states: states,
+            smoothed: false,
             control_points: None,
         }),
         Some(Features {
             control_points: Some(ControlPoints {
+                curve_ends: CurveEnds::Parabola,
                 vertices: vec![0, 2, 3],
                 positions: vec![[0.1, -0.0, 1e-300], [f64::MAX, 0.2, 1.0 / 3.0], [1.0; 3]],
                 placement: Placement::AtLimit,

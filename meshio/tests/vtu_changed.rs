@@ -109,6 +109,7 @@ fn features_in_any_order_are_sorted() {
         surfaces: vec![-2, 1, 7],
         mirrors: vec![],
         cell_states: vec![CellState::QuarterRoundX1X3],
+        smoothed: false,
         control_points: None,
     };
     assert_eq!(found.mesh.features, Some(expected));

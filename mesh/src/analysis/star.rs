@@ -71,6 +71,7 @@ fn features_at(
         mirrors: Vec::new(),
         initial_quality: features.initial_quality,
         cell_states: chosen.iter().filter_map(|&t| states.get(t).copied()).collect(),
+        smoothed: features.smoothed,
         control_points: None,
     }
 }

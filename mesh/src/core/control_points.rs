@@ -1,5 +1,7 @@
 //! What a smooth surface through given vertices is the limit of.
 
+use crate::core::curve_ends::CurveEnds;
+
 /// Points whose limit under an approximating scheme is a given boundary: solved for
 /// once, on the mesh that is refined first, and refined with it by the scheme's rules.
 ///
@@ -15,6 +17,8 @@ pub struct ControlPoints {
     pub positions: Vec<[f64; 3]>,
     /// How new vertices are placed, decided when the points were solved for.
     pub placement: Placement,
+    /// The rule at the ends of curves that they are refined by.
+    pub curve_ends: CurveEnds,
 }
 
 /// Where a new boundary vertex is put, given its limit x* and the midpoint m of its edge.
@@ -33,7 +37,9 @@ pub enum Placement {
 
 impl ControlPoints {
     /// The control points of all vertices of a mesh with these positions.
-    pub(crate) fn of_all(&self, points: &[[f64; 3]]) -> Vec<[f64; 3]> {
+    ///
+    /// Listed vertices that the mesh does not have are left out.
+    pub fn of_all(&self, points: &[[f64; 3]]) -> Vec<[f64; 3]> {
         let mut all = points.to_vec();
         for (&vertex, &position) in self.vertices.iter().zip(&self.positions) {
             if let Some(place) = all.get_mut(vertex as usize) {

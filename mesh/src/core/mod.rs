@@ -3,6 +3,7 @@
 pub mod bodies;
 pub mod components;
 pub mod control_points;
+pub mod curve_ends;
 pub mod edge_length;
 pub mod hilbert;
 pub(crate) mod incidence;

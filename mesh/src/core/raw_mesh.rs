@@ -75,6 +75,9 @@ pub struct Features {
     /// What each tet is in the octet truss; empty if all are tetrahedral cells,
     /// as on a mesh that was never refined.
     pub cell_states: Vec<CellState>,
+    /// Whether a step of an approximating scheme has moved vertices that were to be
+    /// interpolated, had they been: passing through them now would keep what it took away.
+    pub smoothed: bool,
     /// What the smooth surface through the vertices of the mesh that was refined first
     /// is the limit of; `None` if none was asked for.
     pub control_points: Option<ControlPoints>,

@@ -68,20 +68,20 @@ impl Hierarchy {
     }
 }
 
-/// The limit of each vertex; `None` if vertices are their own.
+/// The limit of each vertex, of its control point where there is one; `None` if vertices are their own.
 fn limits(level: &Level, step: &Step) -> Option<Vec<Vector3>> {
     if step.scheme.keeps_vertices() {
         return None;
     }
     let Level { mesh, topology, .. } = level;
-    let rules = (step.scheme, step.resolved_curve_ends());
-    let limits =
-        |control_points: &[Vector3]| Some(limit_positions(mesh, topology, rules, control_points));
-    if !step.solves_for_control_points() {
-        return limits(mesh.points());
-    }
-    let control_points = mesh.features()?.control_points.as_ref()?;
-    limits(&control_points.of_all(mesh.points()))
+    let rules = (step.scheme, step.curve_ends_on(mesh));
+    let recorded = mesh.features().and_then(|features| features.control_points.as_ref());
+    let control_points = match recorded {
+        Some(recorded) => recorded.of_all(mesh.points()),
+        None if step.solves_for_control_points() => return None,
+        None => mesh.points().to_vec(),
+    };
+    Some(limit_positions(mesh, topology, rules, &control_points))
 }
 
 fn largest_and_mean(vertices: &[usize], distance: impl Fn(usize) -> f64 + Sync) -> (f64, f64) {

@@ -1,5 +1,6 @@
 //! Where the boundary's vertices go if a scheme refines without end.
 
+use crate::core::curve_ends::CurveEnds;
 use crate::core::mirrors::Unfolded;
 use crate::core::strata::Strata;
 use crate::core::tet_mesh::TetMesh;
@@ -7,7 +8,6 @@ use crate::core::topology::Topology;
 use crate::refinement::folded::folded;
 use crate::refinement::subdivision_matrix::SubdivisionMatrix;
 use crate::scheme::Scheme;
-use crate::subdivide::curve_ends::CurveEnds;
 use crate::subdivide::rules::limit::LimitRules;
 
 /// The matrix Λ, n × n, that takes the control points of a mesh to their limits on

@@ -1,12 +1,12 @@
 //! From a scheme's rules to the subdivision matrix of a whole mesh.
 
+use crate::core::curve_ends::CurveEnds;
 use crate::core::mirrors::Unfolded;
 use crate::core::tet_mesh::TetMesh;
 use crate::core::topology::{EdgeFaces, Topology, VertexEdges};
 use crate::refinement::folded::folded;
 use crate::refinement::subdivision_matrix::{SubdivisionMatrix, linear_matrix};
 use crate::scheme::Scheme;
-use crate::subdivide::curve_ends::CurveEnds;
 use crate::subdivide::rules::table::Rules;
 
 /// The matrix of one step of a scheme on a mesh with its topology.

@@ -1,7 +1,6 @@
 //! From a mesh to a finer one: the schemes' rules, the red split, the guard of quality.
 
 pub mod assemble_matrix;
-pub mod curve_ends;
 pub mod error;
 pub mod guard;
 mod moved;

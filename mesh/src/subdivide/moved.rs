@@ -36,10 +36,12 @@ impl Moved {
 
     /// Towards the limit of control points; the rows follow.
     pub fn to_the_limit(pass: &Pass) -> Self {
-        let Passed { points, control_points, report, pulls } = pass.pass();
+        let Passed { points, control_points, mut report, pulls } = pass.pass();
         let coarse = pass.coarse;
         let length = mean_edge_length(&coarse.mesh.points, &coarse.topology);
-        let (matrix, _) = corrected(pass.matrix, &Geometry::new(coarse, &points, length));
+        let geometry = Geometry::new(coarse, &points, length);
+        let (matrix, rows) = corrected(pass.matrix, &geometry);
+        report.inexact_rows = rows.left;
         Self {
             points,
             matrix,

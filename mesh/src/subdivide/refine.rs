@@ -55,7 +55,8 @@ pub fn subdivide(
         Scheme::Linear => Unfolded::whole(coarse, topology),
         _ => Unfolded::new(coarse, topology),
     };
-    let rules = (scheme, step.resolved_curve_ends());
+    let curve_ends = step.curve_ends_on(mesh);
+    let rules = (scheme, curve_ends);
     let matrix = match unfolded.has_mirrors() {
         false => matrix_with(&unfolded, (&vertex_edges, &edge_faces), rules),
         true => unfolded_matrix(&unfolded, rules),
@@ -88,7 +89,7 @@ pub fn subdivide(
             mesh: coarse,
             fine: unfolded.refined(&fine, &split.topology),
             matrix: &matrix,
-            curve_ends: step.resolved_curve_ends(),
+            curve_ends,
             interpolates: step.solves_for_control_points(),
             projects: step.projects(),
             guard: &guard(min_quality.unwrap_or_else(|| usual_floor(mesh))),
@@ -100,6 +101,8 @@ pub fn subdivide(
     fine.points = points;
     if control_points.is_some() {
         fine.features.get_or_insert_default().control_points = control_points;
+    } else if let Some(features) = &mut fine.features {
+        features.smoothed |= !scheme.keeps_vertices();
     }
     // A guard that pulled nothing back has seen that all volumes are positive.
     if guard.is_none_or(|guard| guard.pulled_back > 0) {

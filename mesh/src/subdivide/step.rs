@@ -1,7 +1,8 @@
 //! What one subdivision step is to do.
 
+use crate::core::curve_ends::CurveEnds;
+use crate::core::tet_mesh::TetMesh;
 use crate::scheme::Scheme;
-use crate::subdivide::curve_ends::CurveEnds;
 
 /// A scheme for the vertices, a diagonal for the tets, and perhaps a guard.
 ///
@@ -62,6 +63,14 @@ impl Step {
             || self.project_limit
             || self.resolved_curve_ends() == CurveEnds::Parabola;
         self.scheme.overshoots() || (!keeps && changes)
+    }
+
+    /// The rule at the ends of curves on a mesh: that of its control points, where the step
+    /// goes on with these; else chosen or implied.
+    pub fn curve_ends_on(&self, mesh: &TetMesh) -> CurveEnds {
+        let recorded = mesh.features().and_then(|features| features.control_points.as_ref());
+        let goes_on = recorded.filter(|_| self.solves_for_control_points() || self.projects());
+        goes_on.map_or_else(|| self.resolved_curve_ends(), |points| points.curve_ends)
     }
 
     /// The rule at the ends of curves, chosen or implied.

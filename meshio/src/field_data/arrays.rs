@@ -103,6 +103,10 @@ pub(crate) fn mesh_arrays(mesh: &RawMesh) -> Result<Vec<SideArray<'_>>, String> 
             let content = SideContent::Ids(Cow::Borrowed(&features.mirrors));
             arrays.push(SideArray { name: "feature_mirrors", components: 1, content });
         }
+        if features.smoothed {
+            let content = SideContent::Bytes(vec![1]);
+            arrays.push(SideArray { name: "feature_smoothed", components: 1, content });
+        }
         if let Some(eta) = features.initial_quality {
             let content = SideContent::Bytes(eta.to_le_bytes().to_vec());
             arrays.push(SideArray { name: "initial_quality", components: 1, content });
@@ -234,6 +238,7 @@ fn features(arrays: &impl SideArrays) -> Result<Option<Features>, Problem> {
         mirrors: sorted(arrays.ids("feature_mirrors")?.unwrap_or_default()),
         initial_quality: initial_quality(arrays.bytes("initial_quality")?)?,
         cell_states: cell_states(arrays.bytes("cell_states")?.unwrap_or_default())?,
+        smoothed: arrays.bytes("feature_smoothed")?.is_some_and(|flag| flag == [1]),
         control_points: control_points::read(arrays)?,
     }))
 }

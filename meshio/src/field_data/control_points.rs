@@ -1,29 +1,36 @@
 //! Control points of a smooth surface as arrays beside the cells.
 
-use octruss_mesh::{ControlPoints, Placement};
+use octruss_mesh::{ControlPoints, CurveEnds, Placement};
 
 use crate::field_data::side_array::{SideArray, SideArrays, SideContent, wrong};
 use crate::problem::Problem;
 
 /// The vertices, their control points as doubles in the file's own bytes, whatever the
-/// text around them, and how new vertices are placed.
+/// text around them, and two bytes: how new vertices are placed, and the ends of curves.
 const NAMES: [&str; 3] = ["control_vertices", "control_points", "control_placement"];
 
 /// The placements; a file holds their position in this list.
 const PLACEMENTS: [Placement; 2] = [Placement::AlongNormals, Placement::AtLimit];
 
+/// The rules at the ends of curves, likewise.
+const ENDS: [CurveEnds; 2] = [CurveEnds::Fixed, CurveEnds::Parabola];
+
 /// The arrays that hold control points.
 pub(crate) fn arrays(points: &ControlPoints) -> [SideArray<'_>; 3] {
     let coordinates = points.positions.as_flattened().iter();
     let bytes = coordinates.flat_map(|x| x.to_le_bytes()).collect();
-    let code = match points.placement {
+    let placement = match points.placement {
         Placement::AlongNormals => 0,
         Placement::AtLimit => 1,
+    };
+    let ends = match points.curve_ends {
+        CurveEnds::Fixed => 0,
+        CurveEnds::Parabola => 1,
     };
     let contents = [
         SideContent::Vertices((&points.vertices).into()),
         SideContent::Bytes(bytes),
-        SideContent::Bytes(vec![code]),
+        SideContent::Bytes(vec![placement, ends]),
     ];
     let mut contents = contents.into_iter();
     NAMES.map(|name| {
@@ -46,15 +53,19 @@ pub(crate) fn read(arrays: &impl SideArrays) -> Result<Option<ControlPoints>, Pr
         wrong(points, message)
     })?;
     let codes = arrays.bytes(placement)?.unwrap_or_default();
-    let code = <[u8; 1]>::try_from(codes).ok().map(|[code]| usize::from(code));
-    let placement = code
-        .and_then(|code| PLACEMENTS.get(code).copied())
-        .ok_or_else(|| wrong(placement, "one code from 0 to 1 is expected"))?;
+    let known = |[placed, ends]: [u8; 2]| {
+        let ends = ENDS.get(usize::from(ends)).copied();
+        PLACEMENTS.get(usize::from(placed)).copied().zip(ends)
+    };
+    let (placement, curve_ends) = <[u8; 2]>::try_from(codes)
+        .ok()
+        .and_then(known)
+        .ok_or_else(|| wrong(placement, "two codes from 0 to 1 are expected"))?;
     let mut listed: Vec<(u32, [f64; 3])> = numbers.into_iter().zip(positions).collect();
     listed.sort_by_key(|&(vertex, _)| vertex);
     listed.dedup_by_key(|&mut (vertex, _)| vertex);
     let (vertices, positions) = listed.into_iter().unzip();
-    Ok(Some(ControlPoints { vertices, positions, placement }))
+    Ok(Some(ControlPoints { vertices, positions, placement, curve_ends }))
 }
 
 /// Finite positions of three doubles each; `None` if the bytes hold something else.

@@ -6,13 +6,13 @@ use super::place::along_normals;
 use super::solve;
 use super::strain::count_strained;
 use crate::core::control_points::{ControlPoints, Placement};
+use crate::core::curve_ends::CurveEnds;
 use crate::core::edge_length::mean_edge_length;
 use crate::core::mirrors::Unfolded;
 use crate::core::raw_mesh::RawMesh;
 use crate::core::strata::Strata;
 use crate::refinement::interpolation_report::InterpolationReport;
 use crate::refinement::subdivision_matrix::SubdivisionMatrix;
-use crate::subdivide::curve_ends::CurveEnds;
 use crate::subdivide::guard::{Guard, Pulls};
 use crate::subdivide::rules::limit::LimitRules;
 use octruss_base::vector3::{Vector3, length, subtract};
@@ -69,7 +69,7 @@ impl Step<'_> {
         let mut report = InterpolationReport::default();
         let recorded = self.mesh.features.as_ref().and_then(|all| all.control_points.as_ref());
         if !self.interpolates {
-            let placed = self.project(&fine);
+            let placed = self.project(&fine, recorded);
             return self.guarded(placed, &fine, report);
         }
         if let Some(recorded) = recorded {
@@ -90,8 +90,10 @@ impl Step<'_> {
     }
 
     /// By the scheme's rows, then from curves and surfaces to their limits.
-    fn project(&self, fine: &FineStrata) -> Placed {
-        let control_points = self.matrix.apply(&self.coarse.mesh.points);
+    fn project(&self, fine: &FineStrata, recorded: Option<&ControlPoints>) -> Placed {
+        let points = &self.mesh.points;
+        let control_points = recorded.map_or_else(|| points.clone(), |all| all.of_all(points));
+        let control_points = self.matrix.apply(&self.coarse.with_images(&control_points));
         let mut points = control_points.clone();
         for (&vertex, limit) in
             fine.listed.iter().zip(fine.limits(self.curve_ends, &control_points))
@@ -113,6 +115,7 @@ impl Step<'_> {
             count_strained(&rules, points, &listed, &coarse.with_images(control_points));
         report.iterations = solved.iterations;
         report.residual = solved.residual;
+        report.has_converged = solved.has_converged;
         solved.control_points
     }
 
@@ -193,7 +196,8 @@ impl Step<'_> {
             Placement::AtLimit => (0..points.len() as u32).collect(),
         };
         let positions = vertices.iter().map(|&v| control_points[v as usize]).collect();
-        let control_points = ControlPoints { vertices, positions, placement };
+        let curve_ends = self.curve_ends;
+        let control_points = ControlPoints { vertices, positions, placement, curve_ends };
         Passed { points, control_points, report, pulls }
     }
 }

@@ -27,6 +27,8 @@ pub(super) struct Solved {
     pub iterations: [usize; 2],
     /// The largest component of Λ c − p, in mesh units.
     pub residual: f64,
+    /// Whether that is as small as it was to be.
+    pub has_converged: bool,
 }
 
 /// Solves Λ c = p for the vertices of curves, then for those of surfaces.
@@ -49,8 +51,12 @@ pub(super) fn control_points(
     let system = System { rules, mesh, limit, points, listed };
     let has_darts = listed.iter().any(|&v| rules.is_dart(v));
     let blocks = [1, 2].map(|dimension| system.block(dimension));
-    let mut solved =
-        Solved { control_points: points.to_vec(), iterations: [0; 2], residual: f64::INFINITY };
+    let mut solved = Solved {
+        control_points: points.to_vec(),
+        iterations: [0; 2],
+        residual: f64::INFINITY,
+        has_converged: false,
+    };
     for _ in 0..MOST_PASSES {
         for (block, iterations) in blocks.iter().zip(&mut solved.iterations) {
             let residuals = system.residuals(&solved.control_points);
@@ -62,7 +68,8 @@ pub(super) fn control_points(
                 system.improve(block, &residuals, 0.5 * goal, &mut solved.control_points);
         }
         solved.residual = largest(&system.residuals(&solved.control_points));
-        if solved.residual <= tolerance {
+        solved.has_converged = solved.residual <= tolerance;
+        if solved.has_converged {
             break;
         }
     }

@@ -49,6 +49,7 @@ pub fn split_tags(
                 surfaces: features.surfaces.clone(),
                 mirrors: features.mirrors.clone(),
                 initial_quality: features.initial_quality,
+                smoothed: features.smoothed,
                 // Those of the fine mesh are for the step to refine.
                 control_points: None,
             }

@@ -1,9 +1,9 @@
 //! Rules along curve strata: creases, borders, and curves of their own.
 
 use super::shares::midpoint;
+use crate::core::curve_ends::CurveEnds;
 use crate::core::strata::Strata;
 use crate::refinement::subdivision_matrix::Row;
-use crate::subdivide::curve_ends::CurveEnds;
 use crate::subdivide::neighbourhoods::Neighbourhoods;
 
 /// Cubic B-spline: 1/8, 3/4, 1/8. Beside a parabola's end 3/28, 22/28, 3/28, between

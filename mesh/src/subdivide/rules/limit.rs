@@ -10,10 +10,10 @@ use smallvec::SmallVec;
 
 use super::curve::parabola_ends;
 use super::surface::warren_weight;
+use crate::core::curve_ends::CurveEnds;
 use crate::core::strata::Strata;
 use crate::core::topology::Topology;
 use crate::refinement::subdivision_matrix::Row;
-use crate::subdivide::curve_ends::CurveEnds;
 
 /// The limit rules of approximating schemes on one mesh.
 #[derive(Clone, Copy)]

@@ -2,11 +2,11 @@
 
 use super::shares::midpoint;
 use super::{averaged, box_spline, curve, interpolatory, loop_solid, surface};
+use crate::core::curve_ends::CurveEnds;
 use crate::core::raw_mesh::RawMesh;
 use crate::core::topology::{EdgeFaces, Topology, VertexEdges};
 use crate::refinement::subdivision_matrix::Row;
 use crate::scheme::Scheme;
-use crate::subdivide::curve_ends::CurveEnds;
 use crate::subdivide::neighbourhoods::Neighbourhoods;
 use crate::subdivide::octets::Octets;
 

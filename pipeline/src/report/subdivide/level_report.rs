@@ -70,6 +70,10 @@ pub struct InterpolationFigures {
     /// How far, at most, the limit of a control point is from its vertex, in mesh units; 0 if
     /// they came with the mesh.
     pub residual: f64,
+    /// Whether that is at most 1e-10 of an edge, as it was to be.
+    pub has_converged: bool,
+    /// How many rows of the matrix could not be made exact for the positions.
+    pub inexact_rows: usize,
     /// `along-normals`; `at-limit` where walls are so thin that the former would turn tets
     /// inside out.
     pub placement: String,
@@ -84,13 +88,21 @@ pub struct InterpolationFigures {
 
 impl From<InterpolationReport> for InterpolationFigures {
     fn from(report: InterpolationReport) -> Self {
-        let InterpolationReport { iterations, residual, placement, left_to_limit, strained } =
-            report;
+        let InterpolationReport { iterations, residual, has_converged, inexact_rows, .. } = report;
+        let InterpolationReport { placement, left_to_limit, strained, .. } = report;
         let placement = match placement {
             Placement::AlongNormals => "along-normals",
             Placement::AtLimit => AT_LIMIT,
         };
-        Self { iterations, residual, placement: placement.into(), left_to_limit, strained }
+        Self {
+            iterations,
+            residual,
+            has_converged,
+            inexact_rows,
+            placement: placement.into(),
+            left_to_limit,
+            strained,
+        }
     }
 }
 

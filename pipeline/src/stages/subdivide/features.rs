@@ -89,6 +89,10 @@ impl Subdivide {
         })
     }
     fn mirrors(&self, mesh: &TetMesh, context: &Context) -> Result<Mirrors, Error> {
+        // Those that are recorded count.
+        if mesh.features().is_some() {
+            return Ok(Mirrors::default());
+        }
         let mut groups = Vec::new();
         for name in self.mirror.iter().flatten() {
             groups.extend(group_ids(mesh.raw(), 2, name, context)?);

@@ -89,8 +89,8 @@ impl Subdivide {
             let (percent, scheme) = (100.0 * (after / before - 1.0), self.scheme().name());
             notes.push(format!(
                 "the volume changed by {percent:+.1} %, since the {scheme} scheme moves the \
-                 boundary; with `interpolate = true`, or unless false is given, the surface passes \
-                 through the vertices of the input"
+                 boundary; with `interpolate = true` from the input on the surface passes through \
+                 its vertices"
             ));
         }
         let at_limit = |level: &&LevelReport| {
@@ -102,6 +102,22 @@ impl Subdivide {
                  the scheme: flat faces are not split linearly"
                     .into(),
             );
+        }
+        let made = levels.iter().filter_map(|level| level.interpolation.as_ref());
+        if let Some(missed) = made.clone().find(|made| !made.has_converged) {
+            notes.push(format!(
+                "the smooth surface passes by vertices of the input by up to {:.1e}: control points \
+                 were not found in the iterations that are allowed; look for badly shaped boundary \
+                 triangles",
+                missed.residual
+            ));
+        }
+        let inexact: usize = made.map(|made| made.inexact_rows).sum();
+        if inexact > 0 {
+            notes.push(format!(
+                "{inexact} rows of the prolongation could not be made exact for linear functions: \
+                 solves may take more iterations"
+            ));
         }
         notes
     }

@@ -54,12 +54,11 @@ impl Subdivide {
         }
     }
 
-    /// Whether the smooth surface is to pass through the vertices of a mesh: unless that was
-    /// refined already and its surface does not.
+    /// Whether the smooth surface is to pass through the vertices of a mesh: unless an
+    /// approximating scheme moved these already.
     pub(super) fn interpolates(&self, mesh: &TetMesh) -> bool {
-        let was_refined = |features: &Features| !features.cell_states.is_empty();
-        let usual =
-            || mesh.features().is_none_or(|all| !was_refined(all) || all.control_points.is_some());
+        let goes_on = |all: &Features| !all.smoothed || all.control_points.is_some();
+        let usual = || mesh.features().is_none_or(goes_on);
         !self.scheme().keeps_vertices() && self.interpolate.unwrap_or_else(usual)
     }
 }

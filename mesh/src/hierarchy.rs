@@ -4,6 +4,8 @@ use std::sync::Arc;
 
 use rayon::prelude::*;
 
+use crate::adapt::marked_edges::MarkedEdges;
+use crate::adapt::split::split_marked;
 use crate::core::edge_length::mean_edge_length;
 use crate::core::tet_mesh::TetMesh;
 use crate::core::topology::Topology;
@@ -12,7 +14,7 @@ use crate::refinement::refinement::Refinement;
 use crate::refinement::subdivision_matrix::SubdivisionMatrix;
 use crate::subdivide::error::SubdivideError;
 use crate::subdivide::refine::subdivide;
-use crate::subdivide::step::Step;
+use crate::subdivide::step::{Diagonal, Step};
 
 /// A mesh of a hierarchy, and how it came from the next coarser one.
 #[derive(Debug, Clone)]
@@ -59,6 +61,38 @@ impl Hierarchy {
     pub fn subdivide(&mut self, step: impl Into<Step>) -> Result<(), SubdivideError> {
         let Level { mesh, topology, .. } = self.finest();
         let (mesh, topology, refinement) = subdivide(mesh, topology, step, self.levels.len())?;
+        self.levels.push(Arc::new(Level { mesh, topology, refinement: Some(refinement) }));
+        Ok(())
+    }
+
+    /// Adds a level that is finer where edges of the finest level are marked, and what
+    /// it takes to leave no hanging node.
+    ///
+    /// ```
+    /// use octruss_mesh::{Diagonal, FeatureOptions, Hierarchy, MarkedEdges, Scheme, shapes};
+    /// let mut levels = Hierarchy::new(shapes::kuhn_cube(2), &FeatureOptions::default());
+    /// levels.subdivide(Scheme::BoxSpline)?;
+    /// let mut marks = MarkedEdges::new(&levels.finest().topology);
+    /// marks.mark_tets(&levels.finest().topology, [0]);
+    /// levels.split_marked(&marks, Diagonal::Inherit)?;
+    /// assert_eq!(levels.refinement(1).children(0), 0..8);
+    /// assert!(levels.finest().mesh.tets().len() < 48 * 8 + 50);
+    /// # Ok::<(), octruss_mesh::SubdivideError>(())
+    /// ```
+    ///
+    /// # Errors
+    /// As [`split_marked`]; the hierarchy then stays as it was.
+    ///
+    /// # Panics
+    /// If the marks are not those of the finest level.
+    pub fn split_marked(
+        &mut self,
+        marks: &MarkedEdges,
+        diagonal: Diagonal,
+    ) -> Result<(), SubdivideError> {
+        let Level { mesh, topology, .. } = self.finest();
+        let made = split_marked(mesh, topology, marks, diagonal, self.levels.len())?;
+        let (mesh, topology, refinement) = made;
         self.levels.push(Arc::new(Level { mesh, topology, refinement: Some(refinement) }));
         Ok(())
     }

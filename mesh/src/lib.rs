@@ -52,6 +52,7 @@
 //! [`Scheme`] every weight, [`strata`] decides which rule holds where; a
 //! [`Refinement`] knows which coarse simplex each fine one lies in.
 
+mod adapt;
 pub mod analysis;
 mod choices;
 mod core;
@@ -65,6 +66,8 @@ mod soundness;
 mod subdivide;
 mod transfer;
 
+pub use adapt::marked_edges::MarkedEdges;
+pub use adapt::split::split_marked;
 pub use core::bodies::{Bodies, Hinge};
 pub use core::control_points::{ControlPoints, Placement};
 pub use core::locality::{Renumbering, sort_along_curve};

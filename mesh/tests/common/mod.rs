@@ -4,6 +4,7 @@
 
 pub mod bodies;
 pub mod random_block;
+pub mod random_marks;
 
 use octruss_mesh::analysis::{LocalMatrix, at_midpoint};
 use octruss_mesh::{CheckOptions, Features, Hierarchy, RawMesh, Scheme, TetMesh, check};

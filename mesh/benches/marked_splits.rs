@@ -10,8 +10,8 @@ use octruss_mesh::{
     split_marked,
 };
 
-/// Cells in each direction: from 3 thousand to 3 million tets.
-const SIZES: [u32; 4] = [8, 17, 37, 79];
+/// Cells in each direction: new meshes of 3 thousand to 3 million tets.
+const SIZES: [u32; 4] = [7, 15, 32, 64];
 
 /// All edges of the tets whose centre is nearer to a corner than this.
 fn marked_ball(mesh: &TetMesh, topology: &Topology, radius: f64) -> MarkedEdges {
@@ -33,7 +33,7 @@ fn splits(c: &mut Criterion) {
         let mesh = prepare(shapes::kuhn_cube(cells), &FeatureOptions::default());
         // Split once before, so that numbers lie as they do in a hierarchy.
         let mut levels = Hierarchy::new(mesh, &FeatureOptions::default());
-        let ball = marked_ball(&levels.finest().mesh, &levels.finest().topology, 0.5);
+        let ball = marked_ball(&levels.finest().mesh, &levels.finest().topology, 0.3);
         levels.split_marked(&ball, Diagonal::Inherit).unwrap();
         let finest = levels.finest();
         let (mesh, topology) = (&finest.mesh, &finest.topology);

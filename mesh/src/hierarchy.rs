@@ -4,8 +4,6 @@ use std::sync::Arc;
 
 use rayon::prelude::*;
 
-use crate::adapt::marked_edges::MarkedEdges;
-use crate::adapt::split::split_marked;
 use crate::core::edge_length::mean_edge_length;
 use crate::core::tet_mesh::TetMesh;
 use crate::core::topology::Topology;
@@ -14,7 +12,7 @@ use crate::refinement::refinement::Refinement;
 use crate::refinement::subdivision_matrix::SubdivisionMatrix;
 use crate::subdivide::error::SubdivideError;
 use crate::subdivide::refine::subdivide;
-use crate::subdivide::step::{Diagonal, Step};
+use crate::subdivide::step::Step;
 
 /// A mesh of a hierarchy, and how it came from the next coarser one.
 #[derive(Debug, Clone)]
@@ -25,6 +23,13 @@ pub struct Level {
     pub topology: Topology,
     /// How it came from the next coarser level; none for the coarsest.
     pub refinement: Option<Refinement>,
+}
+
+impl From<(TetMesh, Topology, Refinement)> for Level {
+    /// A level that was made from a coarser one.
+    fn from((mesh, topology, refinement): (TetMesh, Topology, Refinement)) -> Self {
+        Self { mesh, topology, refinement: Some(refinement) }
+    }
 }
 
 /// Levels, coarsest first; transfer l leads from level l to level l + 1.
@@ -60,41 +65,20 @@ impl Hierarchy {
     /// As [`subdivide`]; the hierarchy then stays as it was.
     pub fn subdivide(&mut self, step: impl Into<Step>) -> Result<(), SubdivideError> {
         let Level { mesh, topology, .. } = self.finest();
-        let (mesh, topology, refinement) = subdivide(mesh, topology, step, self.levels.len())?;
-        self.levels.push(Arc::new(Level { mesh, topology, refinement: Some(refinement) }));
+        let made = subdivide(mesh, topology, step, self.levels.len())?;
+        self.levels.push(Arc::new(made.into()));
         Ok(())
     }
 
-    /// Adds a level that is finer where edges of the finest level are marked, and what
-    /// it takes to leave no hanging node.
-    ///
-    /// ```
-    /// use octruss_mesh::{Diagonal, FeatureOptions, Hierarchy, MarkedEdges, Scheme, shapes};
-    /// let mut levels = Hierarchy::new(shapes::kuhn_cube(2), &FeatureOptions::default());
-    /// levels.subdivide(Scheme::BoxSpline)?;
-    /// let mut marks = MarkedEdges::new(&levels.finest().topology);
-    /// marks.mark_tets(&levels.finest().topology, [0]);
-    /// levels.split_marked(&marks, Diagonal::Inherit)?;
-    /// assert_eq!(levels.refinement(1).children(0), 0..8);
-    /// assert!(levels.finest().mesh.tets().len() < 48 * 8 + 50);
-    /// # Ok::<(), octruss_mesh::SubdivideError>(())
-    /// ```
-    ///
-    /// # Errors
-    /// As [`split_marked`]; the hierarchy then stays as it was.
-    ///
-    /// # Panics
-    /// If the marks are not those of the finest level.
-    pub fn split_marked(
+    /// Puts other levels in the place of those from a number on.
+    pub(crate) fn replace_from(
         &mut self,
-        marks: &MarkedEdges,
-        diagonal: Diagonal,
-    ) -> Result<(), SubdivideError> {
-        let Level { mesh, topology, .. } = self.finest();
-        let made = split_marked(mesh, topology, marks, diagonal, self.levels.len())?;
-        let (mesh, topology, refinement) = made;
-        self.levels.push(Arc::new(Level { mesh, topology, refinement: Some(refinement) }));
-        Ok(())
+        first: usize,
+        levels: impl IntoIterator<Item = Arc<Level>>,
+    ) {
+        debug_assert!((1..=self.levels.len()).contains(&first));
+        self.levels.truncate(first);
+        self.levels.extend(levels);
     }
 
     /// The levels, coarsest first; at least one.

@@ -11,11 +11,13 @@
 mod bisection;
 mod cell_states;
 mod closure;
+mod levels;
 pub mod marked_edges;
 mod midpoints;
 mod parts;
 mod pattern;
 mod quarters;
+mod red_green;
 pub mod split;
 mod tags;
 mod tets;

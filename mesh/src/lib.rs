@@ -46,6 +46,8 @@
 //! RawMesh ──check──▶ TetMesh ──subdivide──▶ (TetMesh, Refinement) ──▶ Hierarchy
 //! ```
 //!
+//! Instead of `subdivide`, [`split_marked`] refines only where edges are marked.
+//!
 //! A [`RawMesh`] is what a file said; a [`TetMesh`] has passed [`check()`] and
 //! is immutable; [`Topology`] (edges, faces and incidences) is derived from it
 //! by sorting. [`reference_tet`] owns every table about a single tet,

@@ -166,7 +166,7 @@ fn one_tet_of_a_lattice_splits_itself_its_neighbours_and_those_round_its_edges()
     assert_eq!([8, 4, 2].map(count), [1, 4, 4 * 6 + 2 * 4 - 6 - 4 * 3]);
 }
 
-/// A ball of marked tets in a rough box: to refine every tet with a hanging node red
+/// A ball of marked tets in a rough box: to split whatever has no pattern in the sources into
 /// would flood the mesh; the patterns hold the rest off.
 #[test]
 fn a_marked_ball_does_not_flood_the_mesh() {
@@ -195,6 +195,34 @@ fn a_marked_ball_does_not_flood_the_mesh() {
         (0..mesh.tets().len() as u32).filter(|&tet| refinement.children(tet).len() == 8).count();
     assert!(ball.len() <= red && red < 500, "{red} red for {} marked", ball.len());
     assert!(fine.tets().len() < 6500, "{} tets", fine.tets().len());
+    let flooded = red_where_no_pattern_of_the_sources_fits(&topology, &marks);
+    assert!(flooded > 2 * red, "{flooded} beside {red}");
+}
+
+/// How many tets would be split into eight if only one edge, and the three of a face, had
+/// patterns of their own.
+fn red_where_no_pattern_of_the_sources_fits(topology: &Topology, marks: &MarkedEdges) -> usize {
+    let mut marks = marks.clone();
+    let marked = |marks: &MarkedEdges, edges: &[u32]| {
+        edges.iter().filter(|&&edge| marks.contains(edge)).count()
+    };
+    loop {
+        let before = marks.count();
+        for (edges, faces) in topology.tet_edges().iter().zip(topology.tet_faces()) {
+            let has_face = || {
+                let edges = faces.map(|face| topology.face_edges()[face as usize]);
+                edges.iter().any(|edges| marked(&marks, edges) == 3)
+            };
+            match marked(&marks, edges) {
+                0 | 1 => {}
+                3 if has_face() => {}
+                _ => marks.mark_edges(*edges),
+            }
+        }
+        if marks.count() == before {
+            return topology.tet_edges().iter().filter(|edges| marked(&marks, *edges) == 6).count();
+        }
+    }
 }
 
 /// Parts of bisected and quartered tets mark the pair with the shortest diagonal.

@@ -5,15 +5,19 @@
 //! is left of the octahedron counts as tetrahedral cells, and so do parts of
 //! bisected and quartered tets.
 
+use rayon::prelude::*;
+
 use crate::adapt::pattern::Pattern;
 use crate::adapt::tets::Tets;
 use crate::core::raw_mesh::Features;
 use crate::core::reference_tet::CellState;
 use crate::subdivide::step::Diagonal;
+use octruss_base::ragged::CHUNK;
 
 /// The states of all parts, in their order; empty if all are tetrahedral cells.
 pub(super) fn states_of_parts(tets: &Tets, features: &Features) -> Vec<CellState> {
-    let patterns: Vec<Pattern> = (0..tets.tets.len()).map(|tet| tets.pattern(tet)).collect();
+    let each = (0..tets.tets.len()).into_par_iter().with_min_len(CHUNK);
+    let patterns: Vec<Pattern> = each.map(|tet| tets.pattern(tet)).collect();
     let splits_truss = tets.diagonal == Diagonal::Inherit;
     if features.cell_states.is_empty() && !(splits_truss && patterns.contains(&Pattern::Red)) {
         return Vec::new();

@@ -52,7 +52,7 @@ impl MarkedEdges {
     /// Marks the three edges of faces, by the numbers of [`Topology::faces`].
     ///
     /// # Panics
-    /// If there is no such face, or the topology is that of another mesh.
+    /// If there is no such face, or one of its edges is none of the marks' mesh.
     pub fn mark_faces(&mut self, topology: &Topology, faces: impl IntoIterator<Item = u32>) {
         faces.into_iter().for_each(|face| self.mark_edges(topology.face_edges()[face as usize]));
     }
@@ -60,7 +60,7 @@ impl MarkedEdges {
     /// Marks the six edges of tets.
     ///
     /// # Panics
-    /// If there is no such tet, or the topology is that of another mesh.
+    /// If there is no such tet, or one of its edges is none of the marks' mesh.
     pub fn mark_tets(&mut self, topology: &Topology, tets: impl IntoIterator<Item = u32>) {
         tets.into_iter().for_each(|tet| self.mark_edges(topology.tet_edges()[tet as usize]));
     }
@@ -68,7 +68,7 @@ impl MarkedEdges {
     /// Marks all edges that end in one of these vertices; goes once through the mesh.
     ///
     /// # Panics
-    /// If there is no such vertex, or the topology is that of another mesh.
+    /// If there is no such vertex, or the topology has another number of edges.
     pub fn mark_vertices(&mut self, topology: &Topology, vertices: impl IntoIterator<Item = u32>) {
         let mut is_asked = vec![false; topology.vertex_count()];
         vertices.into_iter().for_each(|vertex| is_asked[vertex as usize] = true);

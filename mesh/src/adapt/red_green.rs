@@ -85,9 +85,7 @@ struct LocalLevels {
 
 impl LocalLevels {
     fn new(hierarchy: &Hierarchy) -> Self {
-        let is_uniform = |transfer: &usize| {
-            matches!(hierarchy.refinement(*transfer).ancestry.split_edges, SplitEdges::All(_))
-        };
+        let is_uniform = |&transfer: &usize| hierarchy.refinement(transfer).ancestry.is_uniform();
         let uniform = (0..hierarchy.transfers()).rev().find(is_uniform);
         let first = uniform.map_or(0, |transfer| transfer + 1);
         let levels = hierarchy.levels()[first..].to_vec();

@@ -12,7 +12,6 @@ use crate::hierarchy::{Hierarchy, Level};
 use crate::refinement::affine_correction::{
     AffineCorrection, CorrectedRows, Geometry, NEGLIGIBLE_DEFECT, corrected,
 };
-use crate::refinement::ancestry::SplitEdges;
 use crate::refinement::subdivision_matrix::{SubdivisionMatrix, linear_matrix};
 use crate::scheme::Scheme;
 use crate::subdivide::assemble_matrix::subdivision_matrix;
@@ -90,7 +89,7 @@ impl Hierarchy {
         let Level { mesh, topology, .. } = &*self.levels()[transfer];
         let refinement = self.refinement(transfer);
         // Elsewhere vertices stay, and no scheme has a rule for that.
-        let is_local = matches!(refinement.ancestry.split_edges, SplitEdges::Some(_));
+        let is_local = !refinement.ancestry.is_uniform();
         let scheme = if is_local { refinement.scheme } else { scheme };
         let mut matrix = match scheme {
             _ if refinement.scheme == scheme => Cow::Borrowed(&refinement.matrix),

@@ -166,8 +166,8 @@ fn one_tet_of_a_lattice_splits_itself_its_neighbours_and_those_round_its_edges()
     assert_eq!([8, 4, 2].map(count), [1, 4, 4 * 6 + 2 * 4 - 6 - 4 * 3]);
 }
 
-/// A ball of marked tets in a rough box: to split whatever has no pattern in the sources into
-/// would flood the mesh; the patterns hold the rest off.
+/// A ball of marked tets in a rough box. If what has no pattern in the sources were split into
+/// eight, that would spread; bisections hold it off.
 #[test]
 fn a_marked_ball_does_not_flood_the_mesh() {
     let mut random = common::random_block::Random::new(11);

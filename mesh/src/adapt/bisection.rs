@@ -47,14 +47,12 @@ pub(super) fn bisected<const N: usize>(simplex: [u32; N], cuts: &[Cut]) -> Parts
         let mut at = 0;
         while at < parts.len() {
             let part = parts[at];
-            let is_whole = !cut.ends.iter().all(|end| part.contains(end));
-            if !is_whole {
-                let [low, high] =
-                    cut.ends.map(|end| part.map(|v| if v == end { cut.midpoint } else { v }));
-                // Without its higher end it keeps the lower, and comes first.
-                parts[at] = high;
-                parts.insert(at + 1, low);
+            if cut.ends.iter().all(|end| part.contains(end)) {
+                let without = |end: u32| part.map(|v| if v == end { cut.midpoint } else { v });
+                let [low, high] = cut.ends;
+                parts[at] = without(high);
                 at += 1;
+                parts.insert(at, without(low));
             }
             at += 1;
         }

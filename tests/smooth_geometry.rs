@@ -19,8 +19,9 @@ fn refine(folder: &Path, mesh: &str, more: &[&str]) -> (i32, String) {
 
 /// How far the wall of the hole of the quarter plate, radius 2, is from round.
 fn roundness(folder: &Path) -> f64 {
-    let surfaces = read(&folder.join("out.surfaces.vtu")).unwrap().mesh;
+    let surfaces = read(&folder.join("out.vtu")).unwrap().mesh;
     let hole = surfaces.group_ids(2, "hole")[0];
+    assert!(surfaces.triangles.iter().any(|(_, tag)| tag == hole));
     let wall = surfaces.triangles.iter().filter(|(_, tag)| *tag == hole);
     let radius = |v: u32| {
         let [x, y, _] = surfaces.points[v as usize];

@@ -25,6 +25,13 @@ pub struct Level {
     pub refinement: Option<Refinement>,
 }
 
+impl From<(TetMesh, Topology, Refinement)> for Level {
+    /// A level that was made from a coarser one.
+    fn from((mesh, topology, refinement): (TetMesh, Topology, Refinement)) -> Self {
+        Self { mesh, topology, refinement: Some(refinement) }
+    }
+}
+
 /// Levels, coarsest first; transfer l leads from level l to level l + 1.
 ///
 /// Levels are shared, not copied, by whatever is cloned or truncated.
@@ -58,9 +65,20 @@ impl Hierarchy {
     /// As [`subdivide`]; the hierarchy then stays as it was.
     pub fn subdivide(&mut self, step: impl Into<Step>) -> Result<(), SubdivideError> {
         let Level { mesh, topology, .. } = self.finest();
-        let (mesh, topology, refinement) = subdivide(mesh, topology, step, self.levels.len())?;
-        self.levels.push(Arc::new(Level { mesh, topology, refinement: Some(refinement) }));
+        let made = subdivide(mesh, topology, step, self.levels.len())?;
+        self.levels.push(Arc::new(made.into()));
         Ok(())
+    }
+
+    /// Puts other levels in the place of those from a number on.
+    pub(crate) fn replace_from(
+        &mut self,
+        first: usize,
+        levels: impl IntoIterator<Item = Arc<Level>>,
+    ) {
+        debug_assert!((1..=self.levels.len()).contains(&first));
+        self.levels.truncate(first);
+        self.levels.extend(levels);
     }
 
     /// The levels, coarsest first; at least one.

@@ -46,12 +46,15 @@
 //! RawMesh ──check──▶ TetMesh ──subdivide──▶ (TetMesh, Refinement) ──▶ Hierarchy
 //! ```
 //!
+//! Instead of `subdivide`, [`split_marked`] refines only where edges are marked.
+//!
 //! A [`RawMesh`] is what a file said; a [`TetMesh`] has passed [`check()`] and
 //! is immutable; [`Topology`] (edges, faces and incidences) is derived from it
 //! by sorting. [`reference_tet`] owns every table about a single tet,
 //! [`Scheme`] every weight, [`strata`] decides which rule holds where; a
 //! [`Refinement`] knows which coarse simplex each fine one lies in.
 
+mod adapt;
 pub mod analysis;
 mod choices;
 mod core;
@@ -65,6 +68,8 @@ mod soundness;
 mod subdivide;
 mod transfer;
 
+pub use adapt::marked_edges::MarkedEdges;
+pub use adapt::split::split_marked;
 pub use core::bodies::{Bodies, Hinge};
 pub use core::control_points::{ControlPoints, Placement};
 pub use core::curve_ends::CurveEnds;

@@ -1,14 +1,15 @@
 //! Who descends from whom, beside what a search through the whole coarse mesh
-//! finds; for the red split, and for a split of one edge only.
+//! finds; for the red split, for splits at marked edges, and for that of one edge only.
 
 mod common;
 
 use std::collections::BTreeSet;
 
 use common::random_block::blocks;
+use common::random_marks::random_marks;
 use octruss_mesh::{
-    Ancestor, Ancestry, FeatureOptions, Hierarchy, Level, Lineage, RawMesh, Scheme, SplitEdges,
-    Topology,
+    Ancestor, Ancestry, Diagonal, FeatureOptions, Hierarchy, Level, Lineage, RawMesh, Scheme,
+    SplitEdges, Topology,
 };
 use proptest::prelude::*;
 
@@ -142,6 +143,22 @@ proptest! {
     fn of_the_red_split(mesh in blocks()) {
         let mut levels = Hierarchy::new(mesh, &FeatureOptions::default());
         levels.subdivide(Scheme::Linear).expect("midpoints invert nothing");
+        let Level { mesh, topology, .. } = levels.coarsest();
+        Split {
+            coarse: mesh.raw(),
+            coarse_topology: topology,
+            fine: levels.finest().mesh.raw(),
+            fine_topology: &levels.finest().topology,
+            ancestry: &levels.refinement(0).ancestry,
+        }
+        .check();
+    }
+
+    #[test]
+    fn of_a_split_at_marked_edges(mesh in blocks(), seed: u64) {
+        let mut levels = Hierarchy::new(mesh, &FeatureOptions::default());
+        let marks = random_marks(&levels.finest().topology, seed);
+        levels.split_marked(&marks, Diagonal::Inherit).expect("midpoints invert nothing");
         let Level { mesh, topology, .. } = levels.coarsest();
         Split {
             coarse: mesh.raw(),

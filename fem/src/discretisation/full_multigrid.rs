@@ -26,9 +26,12 @@ impl Options {
 /// The matrices of all transfers, coarsest first.
 fn matrices(transfer: FullTransfer, hierarchy: &Hierarchy) -> Vec<Cow<'_, SubdivisionMatrix>> {
     let topology = |level: usize| &hierarchy.levels()[level].topology;
+    let is_uniform = |level: usize| hierarchy.refinement(level).ancestry.is_uniform();
     let matrix = |level: usize| match transfer {
         FullTransfer::Scheme => Cow::Borrowed(&hierarchy.refinement(level).matrix),
-        FullTransfer::Quadratic if level > 0 => {
+        // Only some edges were split: the matrix that made the mesh interpolates these.
+        _ if !is_uniform(level) => Cow::Borrowed(&hierarchy.refinement(level).matrix),
+        FullTransfer::Quadratic if level > 0 && is_uniform(level - 1) => {
             Cow::Owned(quadratic_matrix(topology(level - 1), topology(level)))
         }
         _ => Cow::Owned(linear_matrix(topology(level))),

@@ -22,11 +22,14 @@ pub(super) fn ranks(corners: [[f64; 3]; 4]) -> [u8; 3] {
 
 /// For each tet the pair with the shortest diagonal; ties go to the pair at hand.
 pub(crate) fn shortest_pairs(mesh: &RawMesh) -> Vec<u8> {
-    // None is shortest only if a coordinate is no number.
-    let shortest = |&tet: &[u32; 4]| {
-        ranks(corners(&mesh.points, tet)).iter().position(|&rank| rank == 0).unwrap_or(0) as u8
-    };
+    let shortest = |&tet: &[u32; 4]| shortest_pair(corners(&mesh.points, tet));
     mesh.tets.par_iter().with_min_len(CHUNK).map(shortest).collect()
+}
+
+/// The pair of one tet with the shortest diagonal; ties go to the pair at hand.
+pub(crate) fn shortest_pair(corners: [[f64; 3]; 4]) -> u8 {
+    // None is shortest only if a coordinate is no number.
+    ranks(corners).iter().position(|&rank| rank == 0).unwrap_or(0) as u8
 }
 
 #[cfg(test)]

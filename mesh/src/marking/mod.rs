@@ -19,7 +19,7 @@ mod mark;
 mod report;
 mod strategy;
 
-pub(crate) use diagonals::shortest_pairs;
+pub(crate) use diagonals::{shortest_pair, shortest_pairs};
 pub use mark::mark;
 pub use report::{MarkingReport, marking_report};
 pub use strategy::Marking;

@@ -45,6 +45,11 @@ pub struct Ancestry {
 }
 
 impl Ancestry {
+    /// Whether every coarse edge was split.
+    pub fn is_uniform(&self) -> bool {
+        matches!(self.split_edges, SplitEdges::All(_))
+    }
+
     /// How many vertices the fine mesh has.
     pub fn fine_vertices(&self) -> usize {
         let split = match &self.split_edges {

@@ -11,7 +11,7 @@ use octruss_base::ragged::{CHUNK, accumulate};
 /// to one.
 ///
 /// Row i < n_coarse is the rule of coarse vertex i, row n_coarse + e that of
-/// edge e. The same rows move points, carry point fields and prolong in
+/// edge e; if only some edges were split, of the e-th of these. The same rows move points, carry point fields and prolong in
 /// multigrid.
 #[derive(Debug, Clone, PartialEq)]
 pub struct SubdivisionMatrix {
@@ -225,10 +225,25 @@ impl From<&SubdivisionMatrix> for CsrMatrix<f64> {
 
 /// Linear interpolation on the red split: vertices stay, midpoints halve.
 pub fn linear_matrix(topology: &Topology) -> SubdivisionMatrix {
-    let n = topology.vertex_count();
     let edges = topology.edges();
-    SubdivisionMatrix::from_rows(n + edges.len(), n, |row, entries| match row.checked_sub(n) {
+    midpoint_rows(topology.vertex_count(), edges.len(), |edge| edges[edge])
+}
+
+/// Linear interpolation where only these edges are split: vertices stay, midpoints halve.
+pub(crate) fn midpoint_matrix(topology: &Topology, split_edges: &[u32]) -> SubdivisionMatrix {
+    let edges = topology.edges();
+    let ends = |place: usize| edges[split_edges[place] as usize];
+    midpoint_rows(topology.vertex_count(), split_edges.len(), ends)
+}
+
+fn midpoint_rows(
+    vertices: usize,
+    midpoints: usize,
+    ends: impl Fn(usize) -> [u32; 2] + Sync,
+) -> SubdivisionMatrix {
+    let rows = vertices + midpoints;
+    SubdivisionMatrix::from_rows(rows, vertices, |row, entries| match row.checked_sub(vertices) {
         None => entries.add(row as u32, 1.0),
-        Some(edge) => edges[edge].into_iter().for_each(|end| entries.add(end, 0.5)),
+        Some(midpoint) => ends(midpoint).into_iter().for_each(|end| entries.add(end, 0.5)),
     })
 }

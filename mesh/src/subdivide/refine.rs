@@ -112,7 +112,8 @@ pub fn subdivide(
     Ok((TetMesh::trusted(fine), split.topology, refinement))
 }
 
-fn refuse_inverted(
+/// Refuses tets without positive volume.
+pub(crate) fn refuse_inverted(
     points: &[[f64; 3]],
     tets: &[[u32; 4]],
     level: usize,

@@ -75,6 +75,10 @@ impl Hierarchy {
     /// The prolongation from mesh `transfer` to mesh `transfer` + 1. That of the
     /// scheme which refined the mesh is its matrix, guard included, and exact.
     ///
+    /// Schemes have rules for meshes of which every edge is split. Where only some were,
+    /// as by [`Hierarchy::split_marked`], the matrix that made the mesh prolongs,
+    /// whatever scheme is asked for.
+    ///
     /// # Panics
     /// If there is no such transfer.
     pub fn prolongation(
@@ -85,11 +89,14 @@ impl Hierarchy {
         let ProlongationOptions { scheme, interface_rows, affine_correction } = options.into();
         let Level { mesh, topology, .. } = &*self.levels()[transfer];
         let refinement = self.refinement(transfer);
+        // Elsewhere vertices stay, and no scheme has a rule for that.
+        let is_local = !refinement.ancestry.is_uniform();
+        let scheme = if is_local { refinement.scheme } else { scheme };
         let mut matrix = match scheme {
             _ if refinement.scheme == scheme => Cow::Borrowed(&refinement.matrix),
             _ => Cow::Owned(subdivision_matrix(mesh, topology, scheme)),
         };
-        if interface_rows == InterfaceRows::Linear && scheme != Scheme::Linear {
+        if interface_rows == InterfaceRows::Linear && scheme != Scheme::Linear && !is_local {
             matrix = linear_at_interfaces(matrix, mesh, topology);
         }
         let made_the_mesh = matches!(matrix, Cow::Borrowed(_));

@@ -6,6 +6,7 @@ pub mod bodies;
 pub mod limit_body;
 pub mod parts;
 pub mod random_block;
+pub mod random_marks;
 pub mod reflected;
 pub mod slow_surface;
 

@@ -70,6 +70,12 @@ fn a_creased_kuhn_block_is_reproduced_exactly() {
         hierarchy
     });
     let [linear, box_spline] = &mut levels;
-    assert_eq!(&linear.finest().mesh, &box_spline.finest().mesh);
+    // In all but that one of them could have moved vertices.
+    let [linear_mesh, box_spline_mesh] = [&*linear, &*box_spline].map(|levels| {
+        let mut raw = levels.finest().mesh.clone().into_raw();
+        raw.features.as_mut().unwrap().smoothed = false;
+        raw
+    });
+    assert!(linear_mesh == box_spline_mesh);
     assert_eq!(linear.coarsest().mesh.features().unwrap().creases.len(), 12 * 4);
 }

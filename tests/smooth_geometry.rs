@@ -60,6 +60,32 @@ fn a_second_run_goes_on_with_mirrors_and_surface_of_the_first() {
 }
 
 #[test]
+fn projecting_goes_with_mirrors() {
+    let folder = tempfile::tempdir().unwrap();
+    let plate = mesh("quarter-plate");
+    for more in [&["--interpolate=false"][..], &[]] {
+        let arguments = ["--project-limit", "--mirror", "xsym", "--mirror", "ysym"];
+        let (code, message) = refine(folder.path(), &plate, &[&arguments[..], more].concat());
+        assert_eq!(code, 0, "{message}");
+    }
+    // Through the input, with all vertices of the hole on the limit.
+    assert!(roundness(folder.path()) < 1e-4);
+}
+
+#[test]
+fn a_linear_level_before_takes_nothing_from_a_smooth_one() {
+    let folder = tempfile::tempdir().unwrap();
+    let arguments = ["--scheme", "linear", "--levels", "1"];
+    let ball = mesh("ball");
+    succeed(folder.path(), &[&["refine", &ball, "linear.vtu"][..], &arguments].concat());
+    let (_, told) = refine(folder.path(), "linear.vtu", &[]);
+    assert!(!told.contains("note:"), "{told}");
+    let [before, after] =
+        ["linear.vtu", "out.vtu"].map(|name| read(&folder.path().join(name)).unwrap().mesh.points);
+    assert!(before.iter().all(|point| after.contains(point)));
+}
+
+#[test]
 fn what_cannot_be_a_mirror_is_told_with_its_name() {
     let folder = tempfile::tempdir().unwrap();
     let plate = mesh("quarter-plate");

@@ -153,7 +153,8 @@ impl Step<'_> {
         };
         if self.projects {
             // Vertices of the levels between stand beside their limits.
-            let rounding = ROUNDING * mean_edge_length(&self.mesh.points, &self.coarse.topology);
+            let rounding =
+                ROUNDING * mean_edge_length(&self.coarse.mesh.points, &self.coarse.topology);
             for (&vertex, limit) in
                 fine.listed.iter().zip(limits).take_while(|(v, _)| **v < n as u32)
             {

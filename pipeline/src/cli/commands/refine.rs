@@ -41,7 +41,8 @@ pub struct Refine {
     #[arg(long, value_name = "N")]
     levels: u8,
     /// Let the smooth surface pass through the vertices of the boundary, which then stay;
-    /// false for the published scheme, which moves them and loses volume [default: true]
+    /// =false for the published scheme, which moves them and loses volume; a file that was
+    /// refined so goes on so [default: true]
     #[arg(long, value_name = "BOOL", num_args = 0..=1, require_equals = true,
           default_missing_value = "true")]
     interpolate: Option<bool>,

@@ -98,8 +98,9 @@ impl Subdivide {
         };
         if levels.iter().any(|level| at_limit(&level)) {
             notes.push(
-                "walls are so thin that vertices go to the limit itself and the inside follows \
-                 the scheme: flat faces are not split linearly"
+                "along normals the guard would pull more boundary vertices back, as in thin walls: \
+                 they go to the limit itself, and vertices inside follow the scheme, old ones, \
+                 too"
                     .into(),
             );
         }

@@ -17,6 +17,13 @@ fn refine(folder: &Path, mesh: &str, more: &[&str]) -> (i32, String) {
     (code(&output), stderr(&output))
 }
 
+/// The bytes of the file that refining by box splines, some levels, writes.
+fn refined_file(folder: &Path, [from, to, levels]: [&str; 3], more: &[&str]) -> Vec<u8> {
+    let arguments = ["refine", from, to, "--scheme", "box-spline", "--levels", levels];
+    succeed(folder, &[&arguments[..], more].concat());
+    std::fs::read(folder.join(to)).unwrap()
+}
+
 /// How far the wall of the hole of the quarter plate, radius 2, is from round.
 fn roundness(folder: &Path) -> f64 {
     let surfaces = read(&folder.join("out.vtu")).unwrap().mesh;
@@ -49,9 +56,7 @@ fn a_hole_is_round_up_to_planes_that_are_named_as_mirrors() {
 fn a_second_run_goes_on_with_mirrors_and_surface_of_the_first() {
     let folder = tempfile::tempdir().unwrap();
     let refine = |from: &str, to: &str, levels: &str, more: &[&str]| {
-        let arguments = ["refine", from, to, "--scheme", "box-spline", "--levels", levels];
-        succeed(folder.path(), &[&arguments[..], more].concat());
-        std::fs::read(folder.path().join(to)).unwrap()
+        refined_file(folder.path(), [from, to, levels], more)
     };
     let (plate, mirrors) = (mesh("quarter-plate"), ["--mirror", "xsym", "--mirror", "ysym"]);
     refine(&plate, "once.vtu", "1", &mirrors);
@@ -139,9 +144,7 @@ fn keys_that_a_scheme_has_no_use_for_are_remarked() {
 fn what_was_refined_as_published_goes_on_so() {
     let folder = tempfile::tempdir().unwrap();
     let refine = |from: &str, to: &str, levels: &str, more: &[&str]| {
-        let arguments = ["refine", from, to, "--scheme", "box-spline", "--levels", levels];
-        succeed(folder.path(), &[&arguments[..], more].concat());
-        std::fs::read(folder.path().join(to)).unwrap()
+        refined_file(folder.path(), [from, to, levels], more)
     };
     let bracket = mesh("bracket");
     for diagonal in ["inherit", "shortest-each-level"] {

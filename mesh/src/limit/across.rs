@@ -1,10 +1,9 @@
 //! Which part of a displacement leads off a curve or surface.
 
-use std::cmp::Ordering;
-
 use crate::core::raw_mesh::RawMesh;
 use crate::core::strata::Strata;
-use crate::core::topology::{NONE, Topology};
+use crate::core::topology::Topology;
+use crate::limit::side::told_flipped;
 use octruss_base::large_array::filled;
 use octruss_base::vector3::{Vector3, add, cross, dot3, length, scale, subtract};
 
@@ -30,7 +29,8 @@ impl<'a> Across<'a> {
         for face in (0..topology.faces().len()).filter(|&face| strata.is_surface[face]) {
             let vertices = topology.faces()[face];
             let normal = normal(vertices, points);
-            let turn = outward_sign(mesh, topology, face);
+            let flipped = told_flipped(topology, &mesh.tets, &mesh.regions, face as u32);
+            let turn = flipped.map(|flipped| if flipped { -1.0 } else { 1.0 });
             for v in vertices {
                 let sum = &mut normals[v as usize];
                 let like_the_others = if dot3(*sum, normal) < 0.0 { -1.0 } else { 1.0 };
@@ -64,27 +64,6 @@ impl<'a> Across<'a> {
 fn normal(vertices: [u32; 3], points: &[Vector3]) -> Vector3 {
     let [a, b, c] = vertices.map(|v| points[v as usize]);
     cross(subtract(b, a), subtract(c, a))
-}
-
-/// By which sign the normal of a face, its vertices ascending, leads out of the tet behind
-/// it, or of the region with the smaller number; `None` if neither tells.
-fn outward_sign(mesh: &RawMesh, topology: &Topology, face: usize) -> Option<f64> {
-    let behind = match topology.face_tets()[face] {
-        [NONE, _] => return None,
-        [tet, NONE] => tet,
-        [first, second] => {
-            let [one, other] = [first, second].map(|tet| mesh.regions[tet as usize]);
-            match one.cmp(&other) {
-                Ordering::Less => first,
-                Ordering::Greater => second,
-                Ordering::Equal => return None,
-            }
-        }
-    };
-    let vertices = topology.faces()[face];
-    let apex = mesh.tets[behind as usize].into_iter().find(|v| !vertices.contains(v))?;
-    let inwards = subtract(mesh.points[apex as usize], mesh.points[vertices[0] as usize]);
-    Some(if dot3(normal(vertices, &mesh.points), inwards) > 0.0 { -1.0 } else { 1.0 })
 }
 
 /// The component along a direction, if that is one.

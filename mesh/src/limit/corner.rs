@@ -6,6 +6,7 @@ use std::f64::consts::{PI, TAU};
 use octruss_base::vector3::{Vector3, add, cross, dot3, length, scale, subtract};
 
 use super::fan::{Fan, FanRule, middle, sum};
+use crate::subdivide::rules::surface::limit_own_weight;
 
 /// The limit surface at a vertex, as seen from one sector.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -63,7 +64,7 @@ impl CornerLimit {
     #[inline]
     pub(super) fn smooth(ring: impl Iterator<Item = Vector3>, n: usize) -> Self {
         let [sum, cosine, sine] = waves(ring, n);
-        let share = if n == 3 { 0.6 } else { 0.5 };
+        let share = n as f64 / (limit_own_weight(n) + n as f64);
         Self::with(scale(share / n as f64, sum), [cosine, sine])
     }
 

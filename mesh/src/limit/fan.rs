@@ -1,6 +1,7 @@
 //! The triangles of one surface at one vertex, between its curves, and the
 //! rules of the vertex and of the edges that lead out from it.
 
+use crate::subdivide::rules::surface::neighbours_share;
 use octruss_base::vector3::{Vector3, add, scale, subtract};
 use smallvec::SmallVec;
 
@@ -68,7 +69,7 @@ impl Fan {
             FanRule::Curve([p, q]) => add(scale(0.75, centre), scale(0.125, add(p, q))),
             FanRule::Smooth => {
                 let ring = self.distinct();
-                let share = if ring.len() == 3 { 9.0 / 16.0 } else { 3.0 / 8.0 };
+                let share = neighbours_share(ring.len());
                 let mean = scale(1.0 / ring.len() as f64, sum(ring));
                 add(centre, scale(share, subtract(mean, centre)))
             }

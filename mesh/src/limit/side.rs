@@ -7,16 +7,26 @@ use crate::core::topology::{NONE, Topology};
 /// points to: out of the solid on the boundary, out of the smaller region
 /// between two; a face inside a region, or without tets, is as it is.
 pub(super) fn flipped(topology: &Topology, tets: &[[u32; 4]], regions: &[i32], face: u32) -> bool {
+    told_flipped(topology, tets, regions, face).unwrap_or(false)
+}
+
+/// The same, `None` for a face inside a region, or without tets.
+pub(super) fn told_flipped(
+    topology: &Topology,
+    tets: &[[u32; 4]],
+    regions: &[i32],
+    face: u32,
+) -> Option<bool> {
     let [first, second] = topology.face_tets()[face as usize];
     let region = |tet: u32| regions[tet as usize];
     let out_of = match (first, second) {
-        (NONE, _) => return false,
+        (NONE, _) => return None,
         (_, NONE) => first,
-        _ if region(first) == region(second) => return false,
+        _ if region(first) == region(second) => return None,
         _ if region(second) < region(first) => second,
         _ => first,
     };
-    !is_outward(topology.faces()[face as usize], &tets[out_of as usize])
+    Some(!is_outward(topology.faces()[face as usize], &tets[out_of as usize]))
 }
 
 /// Whether a face of a positively oriented tet is counter-clockwise from outside.

@@ -19,24 +19,20 @@ const ENDS: [CurveEnds; 2] = [CurveEnds::Fixed, CurveEnds::Parabola];
 pub(crate) fn arrays(points: &ControlPoints) -> [SideArray<'_>; 3] {
     let coordinates = points.positions.as_flattened().iter();
     let bytes = coordinates.flat_map(|x| x.to_le_bytes()).collect();
-    let placement = match points.placement {
-        Placement::AlongNormals => 0,
-        Placement::AtLimit => 1,
-    };
-    let ends = match points.curve_ends {
-        CurveEnds::Fixed => 0,
-        CurveEnds::Parabola => 1,
-    };
+    let codes = [code(&PLACEMENTS, points.placement), code(&ENDS, points.curve_ends)];
     let contents = [
         SideContent::Vertices((&points.vertices).into()),
         SideContent::Bytes(bytes),
-        SideContent::Bytes(vec![placement, ends]),
+        SideContent::Bytes(codes.into()),
     ];
-    let mut contents = contents.into_iter();
-    NAMES.map(|name| {
-        let content = contents.next().expect("one for each name");
-        SideArray { name, components: 1, content }
-    })
+    let [vertices, positions, codes] = contents;
+    let array = |name, content| SideArray { name, components: 1, content };
+    [array(NAMES[0], vertices), array(NAMES[1], positions), array(NAMES[2], codes)]
+}
+
+/// The place of a choice in the list of all.
+fn code<T: PartialEq>(all: &[T], choice: T) -> u8 {
+    all.iter().take_while(|other| **other != choice).count() as u8
 }
 
 /// What [`arrays`] wrote, in ascending order of the vertices whatever the file's is.

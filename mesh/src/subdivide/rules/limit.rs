@@ -9,7 +9,7 @@
 use smallvec::SmallVec;
 
 use super::curve::parabola_ends;
-use super::surface::warren_weight;
+use super::surface::{limit_own_weight, warren_weight};
 use crate::core::curve_ends::CurveEnds;
 use crate::core::strata::Strata;
 use crate::core::topology::Topology;
@@ -53,8 +53,7 @@ impl LimitRules<'_> {
             1 => Some((4 + parabola_ends(self.strata, vertex, self.curve_ends)) as f64),
             2 => match self.strata.surface_neighbours(vertex).len() {
                 0..3 => None,
-                3 => Some(2.0),
-                n => Some(n as f64),
+                n => Some(limit_own_weight(n)),
             },
             _ => None,
         }

@@ -15,5 +15,5 @@ mod interpolatory;
 pub mod limit;
 mod loop_solid;
 mod shares;
-mod surface;
+pub mod surface;
 pub mod table;

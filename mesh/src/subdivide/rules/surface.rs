@@ -20,12 +20,19 @@ pub(crate) fn loop_vertex(near: &Neighbourhoods, vertex: u32, row: &mut Row) {
 
 /// The weight of each of n neighbours in the vertex rule.
 pub(super) fn warren_weight(n: usize) -> f64 {
-    match n {
-        // A surface needs three neighbours round a vertex.
-        0..3 => 0.0,
-        3 => 3.0 / 16.0,
-        _ => 3.0 / (8.0 * n as f64),
-    }
+    // A surface needs three neighbours round a vertex.
+    if n < 3 { 0.0 } else { neighbours_share(n) / n as f64 }
+}
+
+/// What n neighbours, at least three, weigh together in the vertex rule.
+pub(crate) fn neighbours_share(n: usize) -> f64 {
+    if n == 3 { 9.0 / 16.0 } else { 3.0 / 8.0 }
+}
+
+/// What a smooth vertex weighs in its limit against 1 for each of n neighbours, at least
+/// three.
+pub(crate) fn limit_own_weight(n: usize) -> f64 {
+    if n == 3 { 2.0 } else { n as f64 }
 }
 
 /// Loop's edge rule: 3/8 the ends, 1/8 the opposite vertices.
